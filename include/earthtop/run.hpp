@@ -264,6 +264,9 @@ struct RunOptions {
   /// Number of threads, 1 or more. With two, the second integration, which gives the bounds, runs alongside the first. The result
   /// is the same.
   unsigned jobs = 1;
+  /// Whether the motion between the rows is looked at. Without it the result has few looks, and its largest values, swings and computed
+  /// theory are those of these looks: for callers that do not read them.
+  bool between = true;
 };
 
 /// Runs a scene, or the scene of a scenario. The result depends on the scene only; the watch is the only side effect.

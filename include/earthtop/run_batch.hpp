@@ -19,7 +19,7 @@ struct BatchOutcome {
 
 /// Runs many scenes and returns their outcomes in the same order. Each outcome depends on its scene alone, not on the other
 /// scenes of the batch. If the watch asks to stop, the unfinished outcomes have RunStatus::interrupted.
-/// @throws ArithmeticError as `run` does
-std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch = {});
+/// @param between  as in RunOptions   @throws ArithmeticError as `run` does
+std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch = {}, bool between = true);
 
 }  // namespace earthtop

@@ -63,8 +63,10 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
     const double cut = cost.is_watched ? pace.watched_angle_rad / kLook - steps : 0;
     if (cut > 0) steps += cut, evaluations += cut * cost.stable_evaluations;
   }
-  if (ends_steps_at_rows(options.method)) steps = std::max(steps, pace.rows);
-  return {steps, evaluations + pace.rows * cost.evaluations_a_row};
+  const bool ends_at_rows = ends_steps_at_rows(options.method);
+  if (ends_at_rows) steps = std::max(steps, pace.rows);
+  const double looks = pace.rows + (ends_at_rows ? 0 : pace.judgement_looks);
+  return {steps, evaluations + looks * cost.evaluations_a_row};
 }
 
 Work variational_work(const Pace& pace, double time_s, double relative_tolerance) {

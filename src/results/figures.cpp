@@ -260,7 +260,7 @@ constexpr auto kSolutionMembers = [] {
       compared("theory.*.predicted", derived, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
       compared("theory.*.predicted_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].predicted_error; }),
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
-      compared("theory.*.computed", derived, rows, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
+      compared("theory.*.computed", derived, motion, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
       compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
       // Why the drift is what it is, in sentences; left out where theory has none to say.
       list(

@@ -41,10 +41,12 @@ enum class FigureKind {
 
 /// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it.
 enum class FigureScope {
-  any,     ///< it depends on nothing else
-  end,     ///< it depends on the end of the run, and on the motion that led there
-  motion,  ///< it is a largest value between release and end; results that do not say when it is reached have that of their rows
-  rows     ///< it is a mean over the rows, and depends on which rows there are
+  any,  ///< it depends on nothing else
+  end,  ///< it depends on the end of the run, and on the motion that led there
+  /// It comes from the motion between release and end, such as a largest value. A result that does not say when its largest drift is
+  /// reached has taken it from its rows.
+  motion,
+  rows  ///< it is a mean over the rows, and depends on which rows there are
 };
 
 /// Whether a figure is known from the end of a run alone, or needs rows between release and end.

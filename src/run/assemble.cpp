@@ -143,8 +143,9 @@ std::string why_limited(const RunResult& result) {
 bool is_partial(const RunResult& result) { return result.status == RunStatus::interrupted && !result.rows.empty(); }
 
 template <class T>
-void plan_first(const Scene& scene, TwoIntegrations<T>& made, DriftProblem<T>& problem) {
+void plan_first(const Scene& scene, bool between, TwoIntegrations<T>& made, DriftProblem<T>& problem) {
   made.plan = plan_looks(scene, made.options);
+  if (!between) made.plan.picture = {0, made.plan.judged_s.empty() ? problem.times_s : made.plan.judged_s, 0};
   made.looks.add(problem.times_s, LookFor::row);
   // Where steps end at the looks, the rows serve for judgement.
   made.looks.add(made.plan.judged_s.empty() ? problem.times_s : made.plan.judged_s, LookFor::judgement);
@@ -177,7 +178,8 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 }
 
 template <class T>
-RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts, bool partial) {
+RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts,
+                          const RunOptions& options) {
   const Scenario& scenario = scene.scenario();
   const Watch rows = parts.next(seconds.rows);
   const auto stop = [&] { return rows.asks_to_stop(); };
@@ -223,22 +225,29 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
     result.attitude_bound_rad =
         std::max(result.attitude_bound_rad, kSafety * distance + turned + static_cast<double>(sample.attitude_error));
   }
-  if (stop()) return stopped(scene, made, partial);
+  if (stop()) return stopped(scene, made, options.partial);
   result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
   result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
   if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
   result.stops = assess_stops(made, kSafety);
   std::vector<AzimuthSample> azimuths;
   if (has_drift(result)) azimuths = look_between(scene, made, std::move(between), judged, rows, result);
-  if (stop()) return stopped(scene, made, partial);
+  if (stop()) return stopped(scene, made, options.partial);
   keep(made.looks, LookFor::row, LookFor::row, made.first.samples);
   if (table) {
     result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
     const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());
     result.contact->rotating = balances[0], result.contact->reference = balances[1];
   }
-  if (stop()) return stopped(scene, made, partial);
-  result.verdict = assess_verdict(result, judged, parts.next(seconds.growth, "growth of disturbances"));
+  if (stop()) return stopped(scene, made, options.partial);
+  const Watch growth = parts.next(seconds.growth, "growth of disturbances");
+  result.verdict = assess_verdict(result, judged, growth);
+  if (!options.between && result.verdict.earth_grown_s) {
+    // Few looks tell only roughly when the drift has grown.
+    made.plan = plan_looks(scene, made.options);
+    look_between(scene, made, {}, judged, rows, result);
+    result.verdict = assess_verdict(result, judged, growth);
+  }
   mark_rows(result);
   if (table) assess_prediction_changes(result, rows);
   // The two integrations can agree on a threshold crossing although rounding has moved it in both.
@@ -246,25 +255,25 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
     result.drift.threshold_crossing = ThresholdCrossing::uncertain;
     result.drift.threshold_time_bound_s.reset();
   }
-  if (stop()) return stopped(scene, made, partial);
+  if (stop()) return stopped(scene, made, options.partial);
   if (has_drift(result)) {
     result.sensitivities = assess_sensitivities(result, parts.next(seconds.sensitivities, "sensitivities"));
-    if (stop()) return stopped(scene, made, partial);
+    if (stop()) return stopped(scene, made, options.partial);
     result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
                                          : assess_invariants(result, rows);
-    if (stop()) return stopped(scene, made, partial);
+    if (stop()) return stopped(scene, made, options.partial);
     result.drift.secular = assess_trend(result, made.plan.trend, azimuths);
-    if (stop()) return stopped(scene, made, partial);
-    assess_largest(source_of(scene, made, rows), judged, result);
-    if (stop()) return stopped(scene, made, partial);
+    if (stop()) return stopped(scene, made, options.partial);
+    if (options.between) assess_largest(source_of(scene, made, rows), judged, result);
+    if (stop()) return stopped(scene, made, options.partial);
     result.theory = assess_theory(scene, result.looks, result.drift);
     result.why = why_sentences(result);
-    if (stop()) return stopped(scene, made, partial);
+    if (stop()) return stopped(scene, made, options.partial);
   }
   const Watch ledger = parts.next(seconds.ledger, "ledger");
   result.ledger = scenario.contact ? assess_contact_ledger(scene, made.first.samples, result.rows.size(), ledger)
                                    : assess_ledger(result, ledger);
-  if (stop()) return stopped(scene, made, partial);
+  if (stop()) return stopped(scene, made, options.partial);
   if (const auto note = note_on_air(result)) result.notes.push_back(*note);
   if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
   if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
@@ -272,11 +281,11 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void plan_first(const Scene&, TwoIntegrations<T>&, DriftProblem<T>&);                                  \
+  template void plan_first(const Scene&, bool, TwoIntegrations<T>&, DriftProblem<T>&);                            \
   template void make_second(DriftProblem<T>&, const Looks&, std::size_t, std::optional<double>);                  \
   template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
                          IntegrationReport&);                                                                     \
-  template RunResult assemble_result(const Scene&, TwoIntegrations<T>, const RunSeconds&, Parts, bool);
+  template RunResult assemble_result(const Scene&, TwoIntegrations<T>, const RunSeconds&, Parts, const RunOptions&);
 EARTHTOP_ASSEMBLE(double)
 EARTHTOP_ASSEMBLE(long double)
 EARTHTOP_ASSEMBLE(float128)

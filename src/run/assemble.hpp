@@ -21,8 +21,9 @@ struct TwoIntegrations {
 };
 
 /// Sets the times of the first integration, those of the rows and of all other looks that it can take.
+/// @param between  as in RunOptions
 template <class T>
-void plan_first(const Scene& scene, TwoIntegrations<T>& made, DriftProblem<T>& problem);
+void plan_first(const Scene& scene, bool between, TwoIntegrations<T>& made, DriftProblem<T>& problem);
 
 /// Turns the first integration's problem into that of the second one: nudged, with those looks alone that are compared, and ending
 /// where the first one ended.
@@ -38,9 +39,9 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 
 /// Makes the result of a run from its integrations, without the choice of effects and the accuracy. It can be interrupted.
 /// @param seconds, parts  estimated times of the phases, and the rest of the run's progress that they share
-/// @param partial  as in RunOptions
+/// @param options  of which `partial` and `between` are read
 template <class T>
 RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts,
-                          bool partial = false);
+                          const RunOptions& options = {});
 
 }  // namespace earthtop

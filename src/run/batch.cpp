@@ -73,7 +73,7 @@ std::vector<DriftTrajectory<double>> integrate_together(std::span<const DriftPro
 }
 
 /// Runs points that have the same `Shared` options.
-void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> points, const Watch& watch,
+void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> points, const Watch& watch, bool between,
                   std::vector<BatchOutcome>& outcomes) {
   const IntegrationOptions options = points.front().options, other_options = second_lane_options(options);
   std::vector<DriftProblem<double>> problems;
@@ -83,7 +83,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
     const Scene& scene = scenes[points[i].index];
     made[i].options = points[i].options;
     problems.push_back(scene.problem<double>());
-    plan_first(scene, made[i], problems.back());
+    plan_first(scene, between, made[i], problems.back());
   }
 
   std::vector<double> seconds;
@@ -105,7 +105,7 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
     both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
-    outcomes[points[i].index].result = assemble_result(scene, std::move(both), {}, Parts(watch, 0));
+    outcomes[points[i].index].result = assemble_result(scene, std::move(both), {}, Parts(watch, 0), {.watch = {}, .between = between});
     both = {};
   }
 }
@@ -121,7 +121,7 @@ std::size_t together(std::span<const Scene> scenes, std::span<const LanePoint> p
 
 }  // namespace
 
-std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch) {
+std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& watch, bool between) {
   require_ieee_arithmetic();
   std::vector<BatchOutcome> outcomes(scenes.size());
   std::map<Shared, std::vector<LanePoint>> lanes;
@@ -140,7 +140,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
           continue;
         }
       }
-      outcomes[i].result = run(scene, {share_of(1), false});
+      outcomes[i].result = run(scene, {.watch = share_of(1), .between = between});
     } catch (const ScenarioError& refusal) {
       outcomes[i].refusal = refusal.what();
     }
@@ -148,7 +148,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
   for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size();) {
       const std::size_t count = together(scenes, std::span(points).subspan(begin));
-      run_in_lanes(scenes, std::span(points).subspan(begin, count), share_of(count), outcomes);
+      run_in_lanes(scenes, std::span(points).subspan(begin, count), share_of(count), between, outcomes);
       begin += count;
     }
   return outcomes;

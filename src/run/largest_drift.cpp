@@ -147,57 +147,82 @@ class Search {
     return tops;
   }
 
+  /// The search of one quantity in windows.
+  struct Narrowing {
+    Sought* sought;
+    std::vector<std::vector<Largest>> groups;       ///< tops of the last windows
+    std::vector<std::vector<double>> regions = {};  ///< times of the next looks, a region around each candidate
+    std::size_t a_window = 0;                       ///< looks in each of the next windows
+  };
+
   /// Looks at ever smaller windows around the largest values found, until they touch.
   void narrow(std::span<const DriftRow> looks) {
-    if (looks.size() <= a_window_) return;
-    for (Sought& one : sought_)
-      if (one.largest) narrow(looks, one);
-  }
-  void narrow(std::span<const DriftRow> looks, Sought& one) {
     constexpr int kMostRounds = 24;
-    constexpr double kWindows = 90;  // each time
+    if (looks.size() <= a_window_) return;
     const double end = looks.back().t_s, window = source_.step_s * static_cast<double>(a_window_ - 1);
     double apart = looks[a_window_].t_s - looks[0].t_s;
-    std::vector<std::vector<Largest>> groups{tops_of(looks, a_window_, one)};
+    std::vector<Narrowing> searches;
+    for (Sought& one : sought_)
+      if (one.largest) searches.push_back({&one, {tops_of(looks, a_window_, one)}});
     for (int round = 0; round < kMostRounds; ++round) {
-      std::vector<Largest> best = candidates(groups, one.largest->value);
-      if (best.empty()) best.push_back(*one.largest);
-      std::ranges::sort(best, {}, &Largest::t_s);
       const bool touches = apart <= window;
-      const double each_side = std::max(1.0, std::floor((kWindows / static_cast<double>(best.size()) - 1) / 2));
-      const double spacing = std::max(apart / each_side, 0.9 * window);
-      std::vector<double> times_s{0};
-      std::vector<std::size_t> begins;
-      const std::size_t a_window =
-          touches ? static_cast<std::size_t>(std::ceil(2 * (apart + window) / source_.step_s)) + 1 : a_window_;
-      for (const Largest& top : best) {
-        begins.push_back(times_s.size());
-        if (touches)  // all of the motion around the value is looked at
-          add_window(top.t_s - apart - window, a_window, end, times_s);
-        else
-          for (double at = top.t_s - apart; at <= top.t_s + apart; at += spacing)
-            add_window(at - window / 2, a_window, end, times_s);
+      double widest = 0;
+      Looks wanted;
+      const double zero[] = {0};
+      wanted.add(zero, LookFor::picture);
+      for (Narrowing& search : searches) {
+        widest = std::max(widest, plan_regions(search, apart, window, end));
+        for (const std::vector<double>& region : search.regions) wanted.add(region, LookFor::picture);
       }
-      begins.push_back(times_s.size());
-      const std::vector<DriftRow> rows = source_.look(times_s);
-      if (rows.size() < times_s.size()) return;
-      groups.clear();
-      for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
-        groups.push_back(tops_of(std::span(rows).subspan(begins[i], begins[i + 1] - begins[i]), a_window, one));
-        for (Largest& top : groups.back()) {
-          top.nearest = one.largest->nearest;  // of the result's looks
-          if (top.value >= one.largest->value) one.largest = top;
-        }
-      }
+      const std::vector<DriftRow> rows = source_.look(wanted.times_s);
+      if (rows.size() < wanted.size()) return;
+      for (Narrowing& search : searches) take_regions(search, rows);
       if (touches) return;
-      apart = spacing;
+      apart = widest;
+    }
+  }
+
+  /// Plans the looks around the candidates of a quantity. @returns the distance of the windows
+  double plan_regions(Narrowing& search, double apart, double window, double end) const {
+    constexpr double kWindows = 60;  // each time
+    std::vector<Largest> best = candidates(search.groups, search.sought->largest->value);
+    if (best.empty()) best.push_back(*search.sought->largest);
+    const bool touches = apart <= window;
+    const double each_side = std::max(1.0, std::floor((kWindows / static_cast<double>(best.size()) - 1) / 2));
+    const double spacing = std::max(apart / each_side, 0.9 * window);
+    search.a_window = touches ? static_cast<std::size_t>(std::ceil(2 * (apart + window) / source_.step_s)) + 1 : a_window_;
+    search.regions.clear();
+    for (const Largest& top : best) {
+      std::vector<double>& times_s = search.regions.emplace_back();
+      if (touches)  // all of the motion around the value is looked at
+        add_window(top.t_s - apart - window, search.a_window, end, times_s);
+      else
+        for (double at = top.t_s - apart; at <= top.t_s + apart; at += spacing)
+          add_window(at - window / 2, search.a_window, end, times_s);
+    }
+    return spacing;
+  }
+
+  /// Finds the tops of the windows that were looked at.
+  static void take_regions(Narrowing& search, std::span<const DriftRow> rows) {
+    Sought& one = *search.sought;
+    search.groups.clear();
+    std::vector<DriftRow> seen;
+    for (const std::vector<double>& region : search.regions) {
+      seen.clear();
+      for (const double t_s : region) seen.push_back(*std::ranges::lower_bound(rows, t_s, {}, &DriftRow::t_s));
+      search.groups.push_back(tops_of(seen, search.a_window, one));
+      for (Largest& top : search.groups.back()) {
+        top.nearest = one.largest->nearest;  // of the result's looks
+        if (top.value >= one.largest->value) one.largest = top;
+      }
     }
   }
   /// Adds the looks of a window, moved into the run and beyond the times that are there.
   void add_window(double begin, std::size_t count, double end, std::vector<double>& times_s) const {
     const double length = source_.step_s * static_cast<double>(count - 1);
     begin = std::clamp(begin, source_.step_s, std::max(source_.step_s, end - length));
-    if (!(begin > times_s.back())) return;
+    if (!times_s.empty() && !(begin > times_s.back())) return;
     for (std::size_t k = 0; k < count; ++k) times_s.push_back(std::min(end, begin + source_.step_s * static_cast<double>(k)));
   }
 

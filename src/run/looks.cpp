@@ -6,16 +6,17 @@
 #include <numbers>
 #include <utility>
 
+#include "scene/parts.hpp"
+
 namespace earthtop {
 namespace {
 
 /// Returns times at which the errors of a run are judged. They begin close together, since bounds grow from the release onward, and are
 /// shifted within their intervals by multiples of the golden ratio, so that no nutation is seen at one phase only.
 std::vector<double> judgement_times(double duration_s) {
-  constexpr int kCount = 160;
   std::vector<double> times{0};
-  for (int k = 1; k < kCount; ++k) {
-    const double turn = k / std::numbers::phi, share = (k - 0.5 + 0.9 * (turn - std::floor(turn) - 0.5)) / kCount;
+  for (int k = 1; k < kJudgementLooks; ++k) {
+    const double turn = k / std::numbers::phi, share = (k - 0.5 + 0.9 * (turn - std::floor(turn) - 0.5)) / kJudgementLooks;
     times.push_back(duration_s * share * share);
   }
   times.push_back(duration_s);

@@ -87,7 +87,7 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   const Watch& watch = run_options.watch;
   RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
   DriftProblem<T> problem = scene.problem<T>();
-  plan_first(scene, made, problem);
+  plan_first(scene, run_options.between, made, problem);
   SecondBeside<T> beside(scene, problem, made.looks, made.options, within_estimate(scene, made.other_options), run_options);
   if (beside.runs()) seconds.bound = std::max(0.0, seconds.bound - seconds.solution);
   Parts parts(watch, seconds.all());
@@ -103,7 +103,7 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
     made.other_options = within_estimate(scene, made.other_options);
     made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);
   }
-  return assemble_result(scene, std::move(made), seconds, parts, run_options.partial);
+  return assemble_result(scene, std::move(made), seconds, parts, run_options);
 }
 
 RunResult run_once(const Scene& scene, const RunOptions& options) {

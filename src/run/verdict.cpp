@@ -55,7 +55,8 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
 /// Returns when the drift has grown to an angle at which growth is no longer linear (s). It says nothing where the Earth itself turns by
 /// as much until then.
 std::optional<double> earth_grown_s(const RunResult& result) {
-  const std::size_t a_window = result.looks_a_window > 0 ? result.looks_a_window : std::max<std::size_t>(1, result.looks.size());
+  const std::size_t a_window =
+      result.looks_a_window > 0 ? result.looks_a_window : std::max<std::size_t>(1, result.looks.size());
   std::optional<double> grown_s;
   std::vector<double> times_s, drifts;
   for (std::size_t begin = 0; begin < result.looks.size() && !grown_s; begin += a_window) {

@@ -98,6 +98,7 @@ Paced paced_on_table(const Scene& scene) {
   Pace pace;
   pace.duration_s = time;
   pace.rows = scene.rows();
+  pace.judgement_looks = kJudgementLooks;
   pace.axis_rate_rad_s = scene.fastest_rate_rad_s();
   if (top.axis == 2)
     pace.axis_rate_rad_s = std::min(pace.axis_rate_rad_s, std::max(top.momentum / top.swinging + carried, 1 / time));

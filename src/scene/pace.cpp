@@ -249,6 +249,7 @@ Paced paced(const Scene& scene) {
   Pace pace;
   pace.duration_s = time;
   pace.rows = scene.rows();
+  pace.judgement_looks = kJudgementLooks;
   pace.axis_rate_rad_s = scene.fastest_rate_rad_s();
   if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);

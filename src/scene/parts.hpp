@@ -24,6 +24,9 @@ extern template DriftProblem<float128> problem_of(const Scene&);
 // top_figures.cpp: the figures of the body and of its motion without Earth rotation.
 TopFigures top_figures_of(const Scene& scene);
 
+/// The number of times besides its rows at which a run looks at its two integrations, to judge their errors.
+inline constexpr int kJudgementLooks = 480;
+
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);
 double fastest_rate_of(const Scene& scene);

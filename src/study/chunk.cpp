@@ -14,9 +14,9 @@ constexpr double kMostRows = 200'000;
 
 double rows_of(const Scene& scene) { return 2 + scene.rows(); }
 
-std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch& watch) {
+std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch& watch, bool between) {
   try {
-    return run_batch(scenes, watch);
+    return run_batch(scenes, watch, between);
   } catch (const std::exception& error) {
     const bool lacks_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
     if (lacks_memory && scenes.size() == 1) throw;
@@ -29,7 +29,7 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch
   // One of the scenarios caused the error: run each of them alone.
   std::vector<BatchOutcome> outcomes;
   outcomes.reserve(scenes.size());
-  for (const Scene& scene : scenes) outcomes.push_back(std::move(run_guarded({&scene, 1}, watch).front()));
+  for (const Scene& scene : scenes) outcomes.push_back(std::move(run_guarded({&scene, 1}, watch, between).front()));
   return outcomes;
 }
 
@@ -62,8 +62,8 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
     std::size_t end = begin + 1;
     for (double rows = rows_of(scenes[begin]); end < scenes.size(); ++end)
       if (rows += rows_of(scenes[end]); rows > kMostRows) break;
-    const auto outcomes =
-        run_guarded(std::span(scenes).subspan(begin, end - begin), parts.next(static_cast<double>(end - begin)));
+    const auto outcomes = run_guarded(std::span(scenes).subspan(begin, end - begin),
+                                      parts.next(static_cast<double>(end - begin)), collector.looks_between());
     for (std::size_t i = begin; i < end; ++i) collector.collect(outcomes[i - begin], results[of_scene[i]]);
     begin = end;
   }

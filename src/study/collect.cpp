@@ -26,6 +26,10 @@ Collector::Collector(const Study& study) : study_(study), base_(study.base, stud
         const std::string section = quantity.path.substr(0, quantity.path.find('.'));
         return section == "sensitivities" || section == "uncertainty" || section == "scenario";
       });
+  between_ = std::any_of(study.quantities.begin(), study.quantities.end(), [](const auto& quantity) {
+    const SummaryMember* const member = find_member(quantity.path);
+    return member != nullptr && member->scope == FigureScope::motion;
+  });
   ends_only_ = study.needed_rows_only && std::all_of(study.quantities.begin(), study.quantities.end(),
                                                      [](const auto& quantity) { return is_known_at_the_end(quantity.path); });
 }

@@ -39,12 +39,15 @@ class Collector {
   /// The scenario of a point. If it is refused, nothing is returned, and `refusal` receives the reason.
   std::optional<Scene> scene(const std::vector<input::TreeChange>& changes, std::string& refusal) const;
 
+  /// Whether a quantity comes from the motion between the rows.
+  bool looks_between() const { return between_; }
   /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;
 
  private:
   const Study& study_;
   scenario::Document base_;
+  bool between_;        ///< a quantity comes from the motion between the rows
   bool ends_only_;      ///< no output rows between release and end are needed
   bool sensitivities_;  ///< the drift's derivatives are needed, if the base asks for them
 };

@@ -12,8 +12,9 @@ namespace earthtop {
 
 /// The properties of a scene that decide the number of steps over its whole duration.
 struct Pace {
-  double duration_s = 0;  ///< duration of the scene (s); 0: nothing is known of it
-  double rows = 0;        ///< number of output times
+  double duration_s = 0;       ///< duration of the scene (s); 0: nothing is known of it
+  double rows = 0;             ///< number of output times
+  double judgement_looks = 0;  ///< number of other times at which a run looks at its motions to judge their errors
   double axis_rate_rad_s =
       0;                   ///< rough upper bound on the rates of the axis's motion, without a symmetric top's own spin (rad/s)
   double joints = 0;       ///< number of other times at which steps must end
