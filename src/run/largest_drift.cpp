@@ -42,6 +42,8 @@ struct Sought {
     const double part = kind == Kind::length ? x / scale : real::sin(x / 2) / real::sin(scale / 2);
     return part * part;
   }
+  /// What the largest value is at least, whatever the error of the polynomial.
+  double least_known() const { return largest->value - largest->error; }
   /// Takes the largest value of the smooth function back to the quantity.
   Largest back(Largest found) const {
     if (kind == Kind::smooth || scale == 0) return found;
@@ -67,6 +69,7 @@ class Search {
       one.largest = largest_in(result.looks, a_window_, one);
     }
     if (a_window_ > 0) narrow(result.looks);
+    sharpen(result.looks.back().t_s);
     std::vector<double> times_s;
     for (const Sought& one : sought)
       if (one.largest && one.largest->t_s > 0 &&
@@ -147,6 +150,42 @@ class Search {
     return tops;
   }
 
+  /// Looks more closely where the looks do not resolve the motion, as next to the vertical.
+  void sharpen(double end) {
+    constexpr int kMostRounds = 3, kEachSide = 16;
+    constexpr double kUnresolved = 1e-7;
+    double apart = source_.step_s;
+    for (int round = 0; round < kMostRounds; ++round) {
+      const double step = 1.2 * apart / kEachSide;
+      std::vector<std::pair<Sought*, std::vector<double>>> regions;
+      Looks wanted;
+      const double zero[] = {0};
+      wanted.add(zero, LookFor::picture);
+      for (Sought& one : sought_) {
+        if (!one.largest || !(one.largest->error > kUnresolved * std::abs(one.largest->value))) continue;
+        std::vector<double>& times_s = regions.emplace_back(&one, std::vector<double>()).second;
+        const double first = std::max(one.largest->t_s - kEachSide * step, 0.0);
+        for (int k = 0; k <= 2 * kEachSide; ++k) times_s.push_back(std::min(end, first + k * step));
+        times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
+        wanted.add(times_s, LookFor::picture);
+      }
+      if (regions.empty()) return;
+      const std::vector<DriftRow> rows = source_.look(wanted.times_s);
+      if (rows.size() < wanted.size()) return;
+      for (auto& [one, times_s] : regions)
+        if (auto top = largest_in(rows_at(rows, times_s), 0, *one); top && top->value >= one->least_known()) {
+          top->nearest = one->largest->nearest;  // of the result's looks
+          one->largest = top;
+        }
+      apart = step;
+    }
+  }
+  static std::vector<DriftRow> rows_at(std::span<const DriftRow> rows, std::span<const double> times_s) {
+    std::vector<DriftRow> seen;
+    for (const double t_s : times_s) seen.push_back(*std::ranges::lower_bound(rows, t_s, {}, &DriftRow::t_s));
+    return seen;
+  }
+
   /// The search of one quantity in windows.
   struct Narrowing {
     Sought* sought;
@@ -207,11 +246,8 @@ class Search {
   static void take_regions(Narrowing& search, std::span<const DriftRow> rows) {
     Sought& one = *search.sought;
     search.groups.clear();
-    std::vector<DriftRow> seen;
     for (const std::vector<double>& region : search.regions) {
-      seen.clear();
-      for (const double t_s : region) seen.push_back(*std::ranges::lower_bound(rows, t_s, {}, &DriftRow::t_s));
-      search.groups.push_back(tops_of(seen, search.a_window, one));
+      search.groups.push_back(tops_of(rows_at(rows, region), search.a_window, one));
       for (Largest& top : search.groups.back()) {
         top.nearest = one.largest->nearest;  // of the result's looks
         if (top.value >= one.largest->value) one.largest = top;
@@ -257,7 +293,7 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   SecularDrift* const trend = drift.secular && drift.secular->azimuth_rate_rad_s ? &*drift.secular : nullptr;
   const std::size_t swings = sought.size();
   if (trend != nullptr) {
-    const double until_s = trend->window_s[1];
+    const double until_s = std::min(result.reached_s, result.verdict.reliable_until_s);
     sought.push_back({[&](const DriftRow& row) { return -beside_line(row, *trend); }, until_s, Kind::smooth});
     sought.push_back({[&](const DriftRow& row) { return beside_line(row, *trend); }, until_s, Kind::smooth});
   }
@@ -286,7 +322,7 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   if (!least || !most) return;
   double nearest = HUGE_VAL;
   for (const DriftRow& row : result.looks)
-    if (row.t_s <= trend->window_s[1]) nearest = std::min(nearest, horizontal(row));
+    if (row.t_s <= sought.back().until_s) nearest = std::min(nearest, horizontal(row));
   const double bound = judged_at(judged, std::max(least->t_s, most->t_s)).axis_bound_rad;
   trend->azimuth_oscillation_rad = (most->value + least->value) / 2;
   trend->azimuth_oscillation_bound_rad = bound / nearest + (most->error + least->error) / 2;
