@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 layers='elementary fifth_root
-real text error arithmetic watch
+real text error arithmetic watch members
 vectors
 frames
 model

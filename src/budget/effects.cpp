@@ -128,9 +128,12 @@ Candidate torque_in_both(const AppliedTorques<double>& applied, double strength,
   c.size = strength;
   AppliedTorques<double> unit = applied;
   unit.any = true, unit.level_axis = false;
-  for (double* part : {&unit.viscous, &unit.quadratic, &unit.coulomb, &unit.disc_laminar, &unit.disc_turbulent,
-                       &unit.gradient[0].strength, &unit.gradient[1].strength})
-    *part /= strength;
+  const auto divide = ByKind{[strength](double& coefficient) { coefficient /= strength; },
+                             [strength](std::array<GradientTerm<double>, 2>& gradient) {
+                               for (GradientTerm<double>& term : gradient) term.strength /= strength;
+                             },
+                             [](bool&) {}};
+  for_each_member(divide, unit);
   c.input.applied = unit;
   c.torque = [scene, unit](const FollowedStep& s) {
     Model<double> alone = scene.problem<double>().model;

@@ -99,6 +99,7 @@ struct CompassEquations {
   T east, north;  ///< the axis at release
   T w3;           ///< inertial spin of the base at release
   T carried;      ///< W.n of the base at release
+  EARTHTOP_MEMBERS(model, top, east, north, w3, carried)
 
   void operator()(const State& x, State& dxdt, T t) const {
     const T& epsilon = model.epsilon;

@@ -34,6 +34,7 @@ struct CompassVariationsEquations {
   T w3;           ///< inertial spin at release
   Vec3<T> W_L;    ///< the rate of the laboratory: the Earth's, or zero
   bool has_Earth;
+  EARTHTOP_MEMBERS(model, top, east, north, w3, W_L, has_Earth)
 
   void operator()(const State& x, State& dxdt, T t) const {
     const auto [e, n] = turned_axis(x[0], x[1], east, north);

@@ -14,15 +14,11 @@ struct ContactChange {
   T viscosity = T(0), coefficient = T(0), patch_radius = T(0);
   T spinning_length = T(0), rolling_length = T(0);
   Vec3<T> gravity_H = Vec3<T>(T(0), T(0), T(0));
+  EARTHTOP_MEMBERS(viscosity, coefficient, patch_radius, spinning_length, rolling_length, gravity_H)
 
   void apply(Contact<Paired<T>>& pairs) const {
     pairs.viscosity.diff = viscosity, pairs.coefficient.diff = coefficient, pairs.patch_radius.diff = patch_radius;
     pairs.spinning_length.diff = spinning_length, pairs.rolling_length.diff = rolling_length;
-  }
-  template <class S, class To>
-  ContactChange<S> converted(const To& to) const {
-    return {to(viscosity),       to(coefficient),    to(patch_radius),
-            to(spinning_length), to(rolling_length), Vec3<S>(to(gravity_H[0]), to(gravity_H[1]), to(gravity_H[2]))};
   }
 };
 

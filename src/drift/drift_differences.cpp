@@ -55,6 +55,15 @@ struct Axes {
   }
 };
 
+/// Whether nothing but a gravity gradient acts, the one applied torque for which kicked_axes has a formula.
+bool is_gradient_alone(const AppliedTorques<double>& applied) {
+  bool alone = true;
+  const auto look = ByKind{[&](double coefficient) { alone = alone && coefficient == 0; },
+                           [](const std::array<GradientTerm<double>, 2>&) {}, [](bool) {}};
+  for_each_member(look, applied);
+  return alone;
+}
+
 double largest_of(const std::vector<Vec3<double>>& vectors) {
   double largest = 0;
   for (const Vec3<double>& v : vectors) largest = std::max(largest, norm(v));
@@ -204,6 +213,7 @@ class Differences {
   /// The axes under a further torque, from walks with its kicks at two rates of the Earth: at 0 and at the true rate, or, where
   /// the drift is too small for a difference, at a larger rate and its negative, which cancels the second order.
   std::optional<Axes> kicked(const ProblemDerivative& d, double h) {
+    if (!is_gradient_alone(d.applied)) return std::nullopt;
     AxisTorque torque{d.applied.gradient, d.tide, h};
     for (auto& term : torque.gradient) term.strength *= h;
     const bool amplifies = drift_ < kLargeDrift;

@@ -41,6 +41,7 @@ struct DrivenReducedEquations {
   T w3;            ///< inertial spin of the reference at release
   T k_at_release;  ///< its deviation
   T b, b_rest;     ///< (I3/I1) w3, and its rounding error
+  EARTHTOP_MEMBERS(model, top, w3, k_at_release, b, b_rest)
 
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);

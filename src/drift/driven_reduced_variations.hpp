@@ -42,6 +42,7 @@ struct DrivenVariationsEquations {
   T w3, b;         ///< inertial spin at release, and (I3/I1) w3
   Vec3<T> W_L;     ///< the rate of the laboratory: the Earth's, or zero
   bool has_Earth;  ///< whether the motion is the one on the rotating Earth
+  EARTHTOP_MEMBERS(model, top, w3, b, W_L, has_Earth)
 
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), s = u.cross(n);

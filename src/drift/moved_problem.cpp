@@ -3,13 +3,16 @@
 
 #include <array>
 
+#include "drift/problem_derivative.hpp"
+
 namespace earthtop {
 namespace {
 
+using Gradient = std::array<GradientTerm<double>, 2>;
+
 /// Adds two gradient tensors.
-std::array<GradientTerm<double>, 2> sum_of(const std::array<GradientTerm<double>, 2>& a, double h,
-                                           const std::array<GradientTerm<double>, 2>& b) {
-  std::array<GradientTerm<double>, 2> sum = b;
+Gradient sum_of(const Gradient& a, double h, const Gradient& b) {
+  Gradient sum = b;
   bool alike = true;
   for (std::size_t i = 0; i < 2; ++i) {
     alike = alike && (a[i].strength == 0 || b[i].strength == 0 || a[i].direction_L == b[i].direction_L);
@@ -21,6 +24,17 @@ std::array<GradientTerm<double>, 2> sum_of(const std::array<GradientTerm<double>
   for (const auto& term : a) tensor += term.strength * term.direction_L * term.direction_L.transpose();
   for (const auto& term : b) tensor += h * term.strength * term.direction_L * term.direction_L.transpose();
   return gradient_terms(tensor);
+}
+
+/// Adds h times the torques of an input.
+void add(double h, const AppliedTorques<double>& d, AppliedTorques<double>& applied) {
+  const auto add_one = ByKind{[h](double coefficient, double& sum) { sum += h * coefficient; },
+                              [h](const Gradient& gradient, Gradient& sum) {
+                                if (gradient[0].strength != 0 || gradient[1].strength != 0) sum = sum_of(sum, h, gradient);
+                              },
+                              [](bool, bool&) {}};  // no input turns a gimbal on
+  for_each_member(add_one, d, applied);
+  applied.any = true;
 }
 
 }  // namespace
@@ -41,30 +55,22 @@ ProblemDerivative centrifugal_as_gradient(const Vec3<double>& W_L) {
 
 DriftProblem<double> moved(const DriftProblem<double>& problem, const ProblemDerivative& d, double h) {
   DriftProblem<double> p = problem;
-  Model<double>& m = p.model;
-  if (!d.I_BP_B.isZero(0)) {
-    m.I_BP_B += h * d.I_BP_B;
-    m.I_BP_B_inverse = m.I_BP_B.inverse();
-    m.S_BP_B += h * d.S_BP_B;
-  }
-  m.mass_moment_B += h * d.mass_moment_B;
-  m.apparent_gravity_L += h * d.apparent_gravity_L;
-  m.W_IL_L_scaled += h * d.W_IL_L_scaled;
-  m.W_IL_L = m.epsilon * m.W_IL_L_scaled;
+  Model<double>& model = p.model;
+  const auto move = ByKind{[h](double derivative, double& number) { number += h * derivative; },
+                           [h]<int rows, int columns>(const Eigen::Matrix<double, rows, columns>& derivative,
+                                                      Eigen::Matrix<double, rows, columns>& m) { m += h * derivative; },
+                           [&](const AppliedTorques<double>& torques, AppliedTorques<double>& applied) {
+                             if (adds_torque(d)) add(h, torques, applied);
+                           },
+                           [](const TideSeries<double>&, TideSeries<double>&) {}};
+  for_each_derivative(move, d, model);
+  if (!d.I_BP_B.isZero(0)) model.I_BP_B_inverse = model.I_BP_B.inverse();
+  model.W_IL_L = model.epsilon * model.W_IL_L_scaled;
+  if (adds_torque(d)) model.kind = SceneKind::full;
   Release<double>& release = p.release;
   if (d.q_LB.w != 0 || norm(d.q_LB.v) != 0)
     release.q_LB = Quaternion<double>{release.q_LB.w + h * d.q_LB.w, release.q_LB.v + h * d.q_LB.v}.normalized();
   for (int i = 0; i < 3; ++i) release.w_XB_B[i] += problem.units.rate_to_rad_s(h * d.w_XB_B[i]);
-  if (!adds_torque(d)) return p;
-  m.kind = SceneKind::full;
-  AppliedTorques<double>& applied = m.applied;
-  applied.any = true;
-  applied.viscous += h * d.applied.viscous, applied.quadratic += h * d.applied.quadratic;
-  applied.coulomb += h * d.applied.coulomb;
-  applied.gimbal_damping += h * d.applied.gimbal_damping;
-  applied.disc_laminar += h * d.applied.disc_laminar, applied.disc_turbulent += h * d.applied.disc_turbulent;
-  if (d.applied.gradient[0].strength != 0 || d.applied.gradient[1].strength != 0)
-    applied.gradient = sum_of(applied.gradient, h, d.applied.gradient);
   return p;
 }
 

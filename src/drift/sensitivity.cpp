@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "drift/measures.ipp"
+#include "drift/problem_derivative.hpp"
 #include "earthtop/drift/deviation.hpp"
 #include "earthtop/drift/sensitivity.hpp"
+#include "earthtop/model/converted.hpp"
 #include "integrate/inline_all.hpp"
 #include "model/applied_motion.ipp"
 
@@ -64,52 +66,29 @@ auto with_derivatives(const Eigen::MatrixBase<Derived>& values, const Inputs& in
   return jets;
 }
 
-/// Applied torques as jets whose derivatives are zero: those by their coefficients are added as torques.
-AppliedTorques<Jet> constant(const AppliedTorques<double>& given) {
-  AppliedTorques<Jet> jets;
-  jets.any = given.any, jets.level_axis = given.level_axis;
-  jets.viscous = given.viscous, jets.quadratic = given.quadratic, jets.coulomb = given.coulomb;
-  jets.disc_laminar = given.disc_laminar, jets.disc_turbulent = given.disc_turbulent;
-  jets.gimbal_damping = given.gimbal_damping;
-  for (std::size_t i = 0; i < 2; ++i)
-    jets.gradient[i] = {given.gradient[i].strength, given.gradient[i].direction_L.cast<Jet>()};
-  return jets;
-}
-Platform<Jet> jet_platform(const Platform<double>& given, const Inputs& inputs) {
-  Platform<Jet> jets;
-  const PrescribedMotion<double>& turn = given.turn;
-  jets.turn.axis = turn.axis.cast<Jet>();
-  jets.turn.angle0 = turn.angle0, jets.turn.rate = turn.rate, jets.turn.acceleration = turn.acceleration;
-  jets.turn.amplitude = turn.amplitude, jets.turn.frequency = turn.frequency, jets.turn.phase = turn.phase;
-  for (std::size_t k = 0; k < kInputs; ++k) {
-    const PlatformDerivative& d = inputs[k].platform;
-    jets.turn.rate.d[k] = d.rate, jets.turn.acceleration.d[k] = d.acceleration, jets.turn.amplitude.d[k] = d.amplitude;
-    jets.turn.frequency.d[k] = d.frequency, jets.turn.phase.d[k] = d.phase;
+/// Takes a coefficient to a jet whose derivatives are zero. Functions of time are left out: their values are added (System).
+struct ToJet {
+  Jet operator()(double number) const { return number; }
+  std::shared_ptr<const AngleSpline<Jet>> operator()(const std::shared_ptr<const AngleSpline<double>>&) const {
+    return nullptr;
   }
-  jets.pivot_offset_P =
-      with_derivatives(given.pivot_offset_P, inputs, [](const ProblemDerivative& d) { return d.platform.pivot_offset_P; });
-  return jets;
-}
+  TideSeries<Jet> operator()(const TideSeries<double>&) const { return {}; }
+};
 
 Model<Jet> jet_model(const Model<double>& model, const Inputs& inputs) {
-  using D = ProblemDerivative;
-  Model<Jet> jets;
-  jets.I_BP_B = with_derivatives(model.I_BP_B, inputs, [](const D& d) { return d.I_BP_B; });
-  jets.I_BP_B_inverse = with_derivatives(model.I_BP_B_inverse, inputs, [](const D& d) { return d.I_BP_B_inverse; });
-  jets.S_BP_B = with_derivatives(model.S_BP_B, inputs, [](const D& d) { return d.S_BP_B; });
-  jets.mass_moment_B = with_derivatives(model.mass_moment_B, inputs, [](const D& d) { return d.mass_moment_B; });
-  jets.apparent_gravity_L = with_derivatives(model.apparent_gravity_L, inputs, [](const D& d) { return d.apparent_gravity_L; });
-  jets.epsilon = model.epsilon;
-  jets.W_IL_L_scaled = with_derivatives(model.W_IL_L_scaled, inputs, [](const D& d) { return d.W_IL_L_scaled; });
-  jets.W_IL_L = jets.epsilon * jets.W_IL_L_scaled;
-  jets.weights = {model.weights.coriolis, model.weights.transverse, model.weights.centrifugal};
+  Model<Jet> jets = converted<Jet>(model, ToJet());
   for (std::size_t k = 0; k < kInputs; ++k) {
-    jets.weights.coriolis.d[k] = inputs[k].coriolis;
-    jets.weights.centrifugal.d[k] = inputs[k].centrifugal;
+    const auto differentiate = ByKind{
+        [k](double d, Jet& jet) { jet.d[k] = d; },
+        [k]<int rows, int columns>(const Eigen::Matrix<double, rows, columns>& d, Eigen::Matrix<Jet, rows, columns>& jet) {
+          for (int i = 0; i < rows; ++i)
+            for (int j = 0; j < columns; ++j) jet(i, j).d[k] = d(i, j);
+        },
+        // These are added as torques: see System.
+        [](const AppliedTorques<double>&, AppliedTorques<Jet>&) {}, [](const TideSeries<double>&, TideSeries<Jet>&) {}};
+    for_each_derivative(differentiate, inputs[k], jets);
   }
-  jets.platform = jet_platform(model.platform, inputs);
-  jets.applied = constant(model.applied);
-  jets.kind = model.kind;
+  jets.W_IL_L = jets.epsilon * jets.W_IL_L_scaled;
   return jets;
 }
 

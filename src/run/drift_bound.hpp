@@ -17,21 +17,26 @@ struct RoundOffUnits {
 inline constexpr RoundOffUnits kOnPivot{8, 1024}, kOnTable{2, 32};
 
 /// Changes the contact by some units in the last place, as `nudge` changes the model; the body stays symmetric if it is so.
+/// Regularisations, lengths of further friction, weights and gradient stay as they are.
 template <class T>
 void nudge_contact(Contact<T>& contact, T unit) {
+  // All members have a name here, so that a further one is not forgotten.
+  auto& [law, has_spinning_friction, has_rolling_resistance, has_gradient, omits_torques, mass, tip_radius, viscosity,
+         coefficient, slip_floor, patch_radius, slip_of_spin, spin_of_slip, moment_factor, spinning_length, rolling_length,
+         rate_floor, p_OC_B, I_BC_B, I_BC_B_inverse, S_BC_B, height_of_center, I1, I3, weights, gradient_H] = contact;
   Vec3<T> stretch(T(1) + unit, T(1) - unit, T(1) + unit / T(2));
   if (is_symmetric(contact)) stretch[1] = stretch[0];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      contact.I_BC_B_inverse(i, j) *= stretch[i] * stretch[j];
-      contact.I_BC_B(i, j) /= stretch[i] * stretch[j];
+      I_BC_B_inverse(i, j) *= stretch[i] * stretch[j];
+      I_BC_B(i, j) /= stretch[i] * stretch[j];
     }
-  contact.S_BC_B = (contact.I_BC_B.trace() / T(2)) * Mat3<T>::Identity() - contact.I_BC_B;
-  contact.I1 /= stretch[0] * stretch[0], contact.I3 /= stretch[2] * stretch[2];
-  contact.p_OC_B *= T(1) + unit, contact.height_of_center *= T(1) + unit;
-  contact.tip_radius *= T(1) - unit;
-  contact.mass *= T(1) + unit;
-  contact.viscosity *= T(1) + unit, contact.coefficient *= T(1) + unit, contact.patch_radius *= T(1) - unit;
+  S_BC_B = (I_BC_B.trace() / T(2)) * Mat3<T>::Identity() - I_BC_B;
+  I1 /= stretch[0] * stretch[0], I3 /= stretch[2] * stretch[2];
+  p_OC_B *= T(1) + unit, height_of_center *= T(1) + unit;
+  tip_radius *= T(1) - unit;
+  mass *= T(1) + unit;
+  viscosity *= T(1) + unit, coefficient *= T(1) + unit, patch_radius *= T(1) - unit;
 }
 
 /// Changes the attitude, rates and moments of a problem by some units in the last place, in no special direction. The change is

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "drift/problem_derivative.hpp"
 #include "scene/moved_input.hpp"
 #include "scene/parts.hpp"
 
@@ -49,47 +50,41 @@ Eigen::Matrix<double, rows, columns> quotient(const Eigen::Matrix<float128, rows
   return q;
 }
 
-PlatformDerivative difference(const Platform<float128>& high, const Platform<float128>& low, float128 step) {
-  PlatformDerivative d;
-  const PrescribedMotion<float128>&a = high.turn, &b = low.turn;
-  d.rate = quotient(a.rate, b.rate, step), d.acceleration = quotient(a.acceleration, b.acceleration, step);
-  d.amplitude = quotient(a.amplitude, b.amplitude, step), d.frequency = quotient(a.frequency, b.frequency, step);
-  d.phase = quotient(a.phase, b.phase, step);
-  d.pivot_offset_P = quotient(high.pivot_offset_P, low.pivot_offset_P, step);
-  return d;
-}
-
 /// The change of the applied torques, each of which is proportional to its coefficient.
 AppliedTorques<double> difference(const AppliedTorques<float128>& high, const AppliedTorques<float128>& low,
                                   const Mat3<double>& gradient_L, float128 step) {
   AppliedTorques<double> d;
-  d.viscous = quotient(high.viscous, low.viscous, step), d.quadratic = quotient(high.quadratic, low.quadratic, step);
-  d.coulomb = quotient(high.coulomb, low.coulomb, step);
-  d.disc_laminar = quotient(high.disc_laminar, low.disc_laminar, step);
-  d.disc_turbulent = quotient(high.disc_turbulent, low.disc_turbulent, step);
-  d.gimbal_damping = quotient(high.gimbal_damping, low.gimbal_damping, step);
-  if (!gradient_L.isZero(0)) d.gradient = gradient_terms(gradient_L);
-  d.any = d.friction() || d.gimbal_damping != 0 || !gradient_L.isZero(0);
+  d.any = !gradient_L.isZero(0);
+  using Gradient = std::array<GradientTerm<float128>, 2>;
+  const auto divide = ByKind{[&](float128 a, float128 b, double& quotient_made) {
+                               quotient_made = quotient(a, b, step);
+                               d.any = d.any || quotient_made != 0;
+                             },
+                             [&](const Gradient&, const Gradient&, std::array<GradientTerm<double>, 2>& terms) {
+                               if (!gradient_L.isZero(0)) terms = gradient_terms(gradient_L);
+                             },
+                             [](bool, bool, bool&) {}};  // an input changes strengths alone
+  for_each_member(divide, high, low, d);
   return d;
 }
 
 ProblemDerivative difference(const Numbers& high, const Numbers& low, float128 step, float128 epsilon,
                              const NaturalUnits& units) {
   const Model<float128>&a = high.model, &b = low.model;
+  Mat3<double> gradient_L = (high.gradient_L - low.gradient_L) / static_cast<double>(step);
+  for (double& k : gradient_L.reshaped()) k = real::scale(k, 2 * units.time_exponent);
   ProblemDerivative d;
-  d.I_BP_B = quotient(a.I_BP_B, b.I_BP_B, step);
-  d.I_BP_B_inverse = quotient(a.I_BP_B_inverse, b.I_BP_B_inverse, step);
-  d.S_BP_B = quotient(a.S_BP_B, b.S_BP_B, step);
-  d.mass_moment_B = quotient(a.mass_moment_B, b.mass_moment_B, step);
-  d.apparent_gravity_L = quotient(a.apparent_gravity_L, b.apparent_gravity_L, step);
+  const auto divide = ByKind{
+      [step](auto& derivative, const auto& in_high, const auto& in_low) { derivative = quotient(in_high, in_low, step); },
+      [&](AppliedTorques<double>& derivative, const AppliedTorques<float128>& in_high, const AppliedTorques<float128>& in_low) {
+        derivative = difference(in_high, in_low, gradient_L, step);
+      },
+      [](TideSeries<double>&, const TideSeries<float128>&, const TideSeries<float128>&) {}};
+  for_each_derivative(divide, d, a, b);
   d.W_IL_L_scaled = quotient<3, 1>(a.W_IL_L / epsilon, b.W_IL_L / epsilon, step);
   d.q_LB.w = quotient(high.release.q_LB.w, low.release.q_LB.w, step);
   d.q_LB.v = quotient(high.release.q_LB.v, low.release.q_LB.v, step);
   d.w_XB_B = units.rate_from_rad_s(quotient(high.release.w_XB_B, low.release.w_XB_B, step));
-  d.platform = difference(a.platform, b.platform, step);
-  Mat3<double> gradient_L = (high.gradient_L - low.gradient_L) / static_cast<double>(step);
-  for (double& k : gradient_L.reshaped()) k = real::scale(k, 2 * units.time_exponent);
-  d.applied = difference(a.applied, b.applied, gradient_L, step);
   return d;
 }
 

@@ -176,12 +176,6 @@ void add_critical_spin(TopFigures& top, const SymmetricTop<double>& body, double
   top.spin_over_critical = finite(std::abs(top.spin_rad_s) / *top.critical_spin_rad_s);
 }
 
-bool has_friction(const Scenario& scenario) {
-  const AppliedTorquesSpec& applied = scenario.effects.applied;
-  return applied.viscous_N_m_s != 0 || applied.quadratic_N_m_s2 != 0 || applied.coulomb_N_m != 0 ||
-         applied.air_drag.has_value();
-}
-
 }  // namespace
 
 TopFigures top_figures_of(const Scene& scene) {
@@ -218,7 +212,7 @@ TopFigures top_figures_of(const Scene& scene) {
     add_nutation(top, symmetric, release, cosine);
     add_critical_spin(top, symmetric, cosine);
   }
-  if (has_friction(scene.scenario()) && top.nutation_rad_s)
+  if (scene.scenario().effects.applied.friction() && top.nutation_rad_s)
     top.notes.emplace_back("the rates are those at release, without friction");
   return top;
 }

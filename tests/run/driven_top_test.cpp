@@ -8,56 +8,27 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "support/effect_scenes.hpp"
+#include "support/effect_cases.hpp"
 
 namespace earthtop::driven_top {
 namespace {
+
+using testing::fast_earth_top;
 
 struct Case {
   std::string name;
   std::function<void(Scenario&)> add;
 };
 
-/// Each effect, so strong that it changes the drift by much more than the tolerance.
+/// Each effect that drives a top or brakes it, and most of them together.
 std::vector<Case> cases() {
-  const auto applied = [](auto change) { return [change](Scenario& s) { change(s.effects.applied); }; };
-  std::vector<Case> all = {
-      {"viscous", applied([](AppliedTorquesSpec& a) { a.viscous_N_m_s = 1e-5; })},
-      {"quadratic", applied([](AppliedTorquesSpec& a) { a.quadratic_N_m_s2 = 1e-7; })},
-      {"dry", applied([](AppliedTorquesSpec& a) { a.coulomb_N_m = 1e-3; })},
-      {"laminar", applied([](AppliedTorquesSpec& a) { a.air_drag.emplace().disc_radius_m = 0.1; })},
-      {"turbulent",
-       applied([](AppliedTorquesSpec& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; })},
-      {"gradient", applied([](AppliedTorquesSpec& a) {
-         a.gravity_gradient = GravityGradientSpec{GradientField::given, 50};
-       })},
-      {"tide",
-       [](Scenario& s) {
-         TideSpec& tide = s.effects.tide.emplace();
-         tide.given = true, tide.amplitude_m_s2 = {0.3, 0.2, -0.1}, tide.frequency_hz = 0.7, tide.phase_deg = 20;
-       }},
-      {"platform",
-       [](Scenario& s) {
-         s.platform = PlatformSpec{PlatformMotion::harmonic, {0.2, 0.1, 1}, 0, 0, 0.3, 0.8, 30, {0.1, 0.02, 0.05}};
-         s.effects.applied.viscous_N_m_s = 1e-5;
-       }},
-      {"ramp", [](Scenario& s) {
-         s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0, 0.75, 0, 0, 0, {0.3, 0.1, 0}};
-       }}};
+  std::vector<Case> all;
+  for (const testing::EffectCase& one : testing::driving_cases()) all.push_back({one.name, one.add});
   all.push_back({"all", [all](Scenario& s) {
                    for (const Case& one : all)
                      if (one.name != "ramp" && one.name != "turbulent" && one.name != "dry") one.add(s);
                  }});
   return all;
-}
-
-/// An Earth that turns once in a minute and a half: its drift is large, and its square counts.
-Scenario fast_earth_top() {
-  Scenario s = testing::toy_top();
-  s.rotation_rate_rad_s = 0.07;
-  s.duration_s = 2;
-  s.output_step_s = 0.25;
-  return s;
 }
 
 DriftTrajectory<double> drift(const Scenario& s, Method method, Observer observer, ModelForm form) {

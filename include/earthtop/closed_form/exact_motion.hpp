@@ -8,6 +8,7 @@
 #include "earthtop/closed_form/exact_kind.hpp"
 #include "earthtop/closed_form/free_body.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
+#include "earthtop/model/converted.hpp"
 #include "earthtop/model/reduced_top.hpp"
 
 namespace earthtop {
@@ -26,20 +27,12 @@ struct ExactBody {
   Mat3<T> I_BP_B_inverse;  ///< its inverse
   int axis = -1;           ///< the body axis of symmetry, -1 if there is none
   SymmetricTop<T> top;     ///< only for ExactKind::symmetric_top
+  EARTHTOP_MEMBERS(kind, I_BP_B, I_BP_B_inverse, axis, top)
 
   /// The same parameters in another scalar type.
   template <class To>
   ExactBody<To> as() const {
-    ExactBody<To> body;
-    body.kind = kind;
-    body.axis = axis;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        body.I_BP_B(i, j) = static_cast<To>(I_BP_B(i, j));
-        body.I_BP_B_inverse(i, j) = static_cast<To>(I_BP_B_inverse(i, j));
-      }
-    body.top = {static_cast<To>(top.I1), static_cast<To>(top.I3), static_cast<To>(top.mgl)};
-    return body;
+    return converted<To>(*this, [](const T& number) { return static_cast<To>(number); });
   }
 };
 /// @throws std::logic_error for a model without a closed form

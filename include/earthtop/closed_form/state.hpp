@@ -3,6 +3,7 @@
 #pragma once
 
 #include "earthtop/frames/rotation.hpp"
+#include "earthtop/members.hpp"
 
 namespace earthtop {
 
@@ -21,6 +22,7 @@ struct SymmetricTop {
   T I1 = T(1);   ///< both moments about the pivot across the axis (kg m^2)
   T I3 = T(1);   ///< moment along the axis (kg m^2)
   T mgl = T(0);  ///< mass x apparent gravity x signed distance of the centre of mass from the pivot (N m)
+  EARTHTOP_MEMBERS(I1, I3, mgl)
 };
 
 }  // namespace earthtop

@@ -6,6 +6,7 @@
 
 #include "earthtop/frames/angle_spline.hpp"
 #include "earthtop/frames/rotation.hpp"
+#include "earthtop/members.hpp"
 
 namespace earthtop {
 
@@ -22,6 +23,7 @@ struct PrescribedMotion {
   T frequency = T(0);                                     ///< Hz
   T phase = T(0);                                         ///< rad
   std::shared_ptr<const AngleSpline<T>> table = nullptr;  ///< null if there is no table
+  EARTHTOP_MEMBERS(axis, angle0, rate, acceleration, amplitude, frequency, phase, table)
 
   T angle(T t) const {
     const T formula = angle0 + t * (rate + t * acceleration / T(2)) + amplitude * real::sin(argument(t));

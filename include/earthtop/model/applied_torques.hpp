@@ -17,6 +17,7 @@
 #include <array>
 
 #include "earthtop/frames/earth.hpp"
+#include "earthtop/members.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/paired.hpp"
 
@@ -27,6 +28,7 @@ template <class T>
 struct GradientTerm {
   T strength = T(0);
   Vec3<T> direction_L = Vec3<T>::UnitZ();
+  EARTHTOP_MEMBERS(strength, direction_L)
 };
 
 /// The coefficients of the applied torques.
@@ -38,6 +40,7 @@ struct AppliedTorques {
   std::array<GradientTerm<T>, 2> gradient;
   bool level_axis = false;
   T gimbal_damping = T(0);
+  EARTHTOP_MEMBERS(any, viscous, quadratic, coulomb, disc_laminar, disc_turbulent, gradient, level_axis, gimbal_damping)
 
   bool friction() const {
     return viscous != T(0) || quadratic != T(0) || coulomb != T(0) || disc_laminar != T(0) || disc_turbulent != T(0);

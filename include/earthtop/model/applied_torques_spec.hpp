@@ -45,9 +45,7 @@ struct AppliedTorquesSpec {
   std::optional<GimbalSpec> gimbal;
   bool operator==(const AppliedTorquesSpec&) const = default;
 
-  bool any() const {
-    return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag || gravity_gradient || gimbal;
-  }
+  bool any() const { return *this != AppliedTorquesSpec{}; }
   bool friction() const { return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag; }
 };
 

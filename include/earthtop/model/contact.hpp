@@ -8,6 +8,7 @@
 #pragma once
 
 #include "earthtop/model/contact_spec.hpp"
+#include "earthtop/model/converted.hpp"
 #include "earthtop/model/model.hpp"
 
 namespace earthtop {
@@ -41,6 +42,10 @@ struct Contact {
 
   TorqueWeights<S> weights;  ///< of force and torque together
   Mat3<S> gradient_H;        ///< gradient of gravitation (1/time^2)
+  EARTHTOP_MEMBERS(law, has_spinning_friction, has_rolling_resistance, has_gradient, omits_torques, mass, tip_radius, viscosity,
+                   coefficient, slip_floor, patch_radius, slip_of_spin, spin_of_slip, moment_factor, spinning_length,
+                   rolling_length, rate_floor, p_OC_B, I_BC_B, I_BC_B_inverse, S_BC_B, height_of_center, I1, I3, weights,
+                   gradient_H)
 };
 
 /// @param body  its origin is the centre of the tip's sphere   @param weights  of Coriolis and centrifugal force and torque
@@ -70,33 +75,6 @@ bool is_symmetric(const Contact<T>& contact) {
   return symmetry_axis(contact.I_BC_B, contact.p_OC_B) == 2;
 }
 
-/// The same contact over another scalar.
-/// @param to  the number as a scalar of the other kind
-template <class S, class T, class To>
-Contact<S> converted(const Contact<T>& c, const To& to) {
-  const auto vector = [&](const Vec3<T>& v) { return Vec3<S>(to(v[0]), to(v[1]), to(v[2])); };
-  const auto matrix = [&](const Mat3<T>& m) {
-    Mat3<S> made;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) made(i, j) = to(m(i, j));
-    return made;
-  };
-  Contact<S> s;
-  s.law = c.law;
-  s.has_spinning_friction = c.has_spinning_friction, s.has_rolling_resistance = c.has_rolling_resistance;
-  s.has_gradient = c.has_gradient, s.omits_torques = c.omits_torques;
-  s.mass = to(c.mass), s.tip_radius = to(c.tip_radius);
-  s.viscosity = to(c.viscosity), s.coefficient = to(c.coefficient), s.slip_floor = to(c.slip_floor);
-  s.patch_radius = to(c.patch_radius), s.slip_of_spin = to(c.slip_of_spin), s.spin_of_slip = to(c.spin_of_slip);
-  s.moment_factor = to(c.moment_factor);
-  s.spinning_length = to(c.spinning_length), s.rolling_length = to(c.rolling_length), s.rate_floor = to(c.rate_floor);
-  s.p_OC_B = vector(c.p_OC_B);
-  s.I_BC_B = matrix(c.I_BC_B), s.I_BC_B_inverse = matrix(c.I_BC_B_inverse), s.S_BC_B = matrix(c.S_BC_B);
-  s.height_of_center = to(c.height_of_center), s.I1 = to(c.I1), s.I3 = to(c.I3);
-  s.weights = {to(c.weights.coriolis), to(c.weights.transverse), to(c.weights.centrifugal)};
-  s.gradient_H = matrix(c.gradient_H);
-  return s;
-}
 /// The same contact in both predictions.
 template <class T>
 Contact<Paired<T>> paired(const Contact<T>& contact) {

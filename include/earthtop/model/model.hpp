@@ -4,6 +4,7 @@
 #pragma once
 
 #include "earthtop/frames/tide.hpp"
+#include "earthtop/members.hpp"
 #include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/platform.hpp"
@@ -23,6 +24,8 @@ struct TorqueWeights {
   T coriolis = T(1);
   T transverse = T(1);
   T centrifugal = T(1);
+  EARTHTOP_MEMBERS(coriolis, transverse, centrifugal)
+
   bool all_act() const { return coriolis == T(1) && transverse == T(1) && centrifugal == T(1); }
   TorqueWeights complement() const { return {T(1) - coriolis, T(1) - transverse, T(1) - centrifugal}; }
 };
@@ -44,6 +47,8 @@ struct Model {
   AppliedTorques<T> applied;
   TideSeries<T> tide;  ///< tide of the Moon and the Sun, added to apparent gravity
   SceneKind kind = SceneKind::plain;
+  EARTHTOP_MEMBERS(I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, epsilon, W_IL_L_scaled, W_IL_L, weights,
+                   platform, applied, tide, kind)
 };
 
 /// Units of the model: masses in 2^mass_exponent kg, times in 2^time_exponent s. Powers of two change no digit. They bring all

@@ -12,6 +12,7 @@ template <class T>
 struct Platform {
   PrescribedMotion<T> turn;
   Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< from L's origin, in P axes (m)
+  EARTHTOP_MEMBERS(turn, pivot_offset_P)
 };
 
 /// @throws std::invalid_argument for PlatformMotion::table with a missing or invalid table

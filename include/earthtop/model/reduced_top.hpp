@@ -22,6 +22,7 @@ struct ReducedTop {
   T spin_ratio_rest = T(0);  ///< rounding error of spin_ratio, to be added to it
   T moment_ratio = T(0);     ///< m l / I1, with the sign of the centre of mass along the axis
   T I1 = T(1), I3 = T(1);
+  EARTHTOP_MEMBERS(axis, spin_ratio, spin_ratio_rest, moment_ratio, I1, I3)
 };
 
 /// Axis and transverse rate, or their time derivatives.

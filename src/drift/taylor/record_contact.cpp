@@ -8,29 +8,19 @@ namespace earthtop {
 namespace {
 
 template <class T>
-Contact<real::Recorded<T>> recorded_contact(const Contact<T>& contact) {
-  using R = real::Recorded<T>;
-  return converted<R>(contact, [](const T& number) { return R(number); });
-}
-template <class T>
-ContactChange<real::Recorded<T>> recorded_change(const ContactChange<T>& change) {
-  using R = real::Recorded<T>;
-  return change.template converted<R>([](const T& number) { return R(number); });
-}
-template <class T>
 Quaternion<real::Recorded<T>> recorded_quaternion(const Quaternion<T>& q) {
   return {q.w, Vec3<real::Recorded<T>>(q.v[0], q.v[1], q.v[2])};
 }
 
 template <class T, Observer O>
 ContactReducedEquations<real::Recorded<T>, O> recorded(const ContactReducedEquations<T, O>& equations) {
-  return {recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()),
-          equations.w3(), recorded_change(equations.change())};
+  return {recorded(equations.model()), recorded(equations.contact()), recorded_quaternion(equations.q_LH()), equations.w3(),
+          recorded(equations.change())};
 }
 template <class T, Observer O>
 ContactGeneralEquations<real::Recorded<T>, O> recorded(const ContactGeneralEquations<T, O>& equations) {
-  return {recorded_model(equations.model()), recorded_contact(equations.contact()), recorded_quaternion(equations.q_LH()),
-          recorded_change(equations.change())};
+  return {recorded(equations.model()), recorded(equations.contact()), recorded_quaternion(equations.q_LH()),
+          recorded(equations.change())};
 }
 template <class Equations>
 taylor::Operations<double> record_bundle(const ContactBundleEquations<double, Equations>& bundle, std::span<const double> x,

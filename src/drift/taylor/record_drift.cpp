@@ -15,18 +15,16 @@ template <class T, Observer O>
 taylor::Operations<T> record_general(const Model<T>& model, std::span<const T> x, T t) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
-  const Model<R> made = recorded_model(model);
+  const Model<R> made = recorded(model);
   const DriftSystem<R, O, SceneKind::full, RotatingMotion::composed> system(made);
   return recorded_equations<T, DriftShape<RotatingMotion::composed>::kSize>(system, recording, x, t);
 }
 
-template <class T, Observer O>
-DrivenReducedEquations<real::Recorded<T>, O> recorded(const DrivenReducedEquations<T, O>& e) {
-  return {recorded_model(e.model), recorded_top(e.top), e.w3, e.k_at_release, e.b, e.b_rest};
-}
-template <class T, Observer O>
-CompassEquations<real::Recorded<T>, O> recorded(const CompassEquations<T, O>& e) {
-  return {recorded_model(e.model), recorded_top(e.top), e.east, e.north, e.w3, e.carried};
+template <class T, template <class, Observer> class Equations, Observer O>
+Equations<real::Recorded<T>, O> recorded(const Equations<T, O>& equations) {
+  Equations<real::Recorded<T>, O> made;
+  convert(equations, made, ToRecorded<T>());
+  return made;
 }
 
 }  // namespace

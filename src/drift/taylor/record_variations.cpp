@@ -6,19 +6,6 @@
 #include "integrate/taylor/record_equations.hpp"
 
 namespace earthtop {
-namespace {
-
-using R = real::Recorded<double>;
-
-DrivenVariationsEquations<R> recorded(const DrivenVariationsEquations<double>& e) {
-  return {recorded_model(e.model), recorded_top(e.top), e.w3, e.b, recorded_model_detail::recorded(e.W_L), e.has_Earth};
-}
-CompassVariationsEquations<R> recorded(const CompassVariationsEquations<double>& e) {
-  return {
-      recorded_model(e.model), recorded_top(e.top), e.east, e.north, e.w3, recorded_model_detail::recorded(e.W_L), e.has_Earth};
-}
-
-}  // namespace
 
 template <template <class> class Equations>
 taylor::Operations<double> record_variations(const Equations<double>& equations, const typename Equations<double>::State& x,

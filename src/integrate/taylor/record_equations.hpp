@@ -6,15 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "earthtop/model/reduced_top.hpp"
 #include "integrate/taylor/recorded_model.hpp"
 
 namespace earthtop {
-
-template <class T>
-ReducedTop<real::Recorded<T>> recorded_top(const ReducedTop<T>& top) {
-  return {top.axis, top.spin_ratio, top.spin_ratio_rest, top.moment_ratio, top.I1, top.I3};
-}
 
 /// @param equations  called with (x, dxdt, t)   @param x, t  state and time at which they are recorded
 template <class T, std::size_t N, class Equations>

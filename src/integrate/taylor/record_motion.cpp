@@ -13,7 +13,7 @@ taylor::Operations<T> record_motion(const Model<T>& model, std::span<const T> x,
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
   MotionProblem<R> problem;
-  problem.model = recorded_model(model);
+  problem.model = recorded(model);
   const GeneralMotionSystem<R, Observer::body, SceneKind::full> system(problem);
   return recorded_equations<T, GeneralMotionShape::kSize>(system, recording, x, t);
 }

@@ -58,52 +58,29 @@ class TideSeries<real::Recorded<T>> {
   TideSeries<T> tide_;
 };
 
-namespace recorded_model_detail {
-template <class T>
-Vec3<real::Recorded<T>> recorded(const Vec3<T>& v) {
-  return {v[0], v[1], v[2]};
-}
-template <class T>
-Mat3<real::Recorded<T>> recorded(const Mat3<T>& m) {
-  Mat3<real::Recorded<T>> r;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) r(i, j) = m(i, j);
-  return r;
-}
-}  // namespace recorded_model_detail
-
 }  // namespace earthtop
 
 // The formulas of the model follow, now that the functions above are known to them.
+#include "earthtop/model/converted.hpp"
 #include "earthtop/model/model.hpp"
 
 namespace earthtop {
 
+/// Takes a coefficient, or a function of time, to the scalar that records operations: see converted.hpp.
 template <class T>
-Model<real::Recorded<T>> recorded_model(const Model<T>& model) {
-  using recorded_model_detail::recorded;
+struct ToRecorded {
   using R = real::Recorded<T>;
-  Model<R> r;
-  r.I_BP_B = recorded(model.I_BP_B), r.I_BP_B_inverse = recorded(model.I_BP_B_inverse), r.S_BP_B = recorded(model.S_BP_B);
-  r.mass_moment_B = recorded(model.mass_moment_B), r.apparent_gravity_L = recorded(model.apparent_gravity_L);
-  r.epsilon = model.epsilon;
-  r.W_IL_L_scaled = recorded(model.W_IL_L_scaled), r.W_IL_L = recorded(model.W_IL_L);
-  r.weights = {model.weights.coriolis, model.weights.transverse, model.weights.centrifugal};
-  const PrescribedMotion<T>& turn = model.platform.turn;
-  r.platform.turn = {recorded(turn.axis), turn.angle0,    turn.rate,  turn.acceleration,
-                     turn.amplitude,      turn.frequency, turn.phase, nullptr};
-  if (turn.table) r.platform.turn.table = std::make_shared<const AngleSpline<R>>(turn.table);
-  r.platform.pivot_offset_P = recorded(model.platform.pivot_offset_P);
-  const AppliedTorques<T>& applied = model.applied;
-  r.applied.any = applied.any;
-  r.applied.viscous = applied.viscous, r.applied.quadratic = applied.quadratic, r.applied.coulomb = applied.coulomb;
-  r.applied.disc_laminar = applied.disc_laminar, r.applied.disc_turbulent = applied.disc_turbulent;
-  for (std::size_t i = 0; i < applied.gradient.size(); ++i)
-    r.applied.gradient[i] = {applied.gradient[i].strength, recorded(applied.gradient[i].direction_L)};
-  r.applied.level_axis = applied.level_axis, r.applied.gimbal_damping = applied.gimbal_damping;
-  r.tide = TideSeries<R>(model.tide);
-  r.kind = model.kind;
-  return r;
+  R operator()(const T& number) const { return number; }
+  std::shared_ptr<const AngleSpline<R>> operator()(const std::shared_ptr<const AngleSpline<T>>& table) const {
+    return table ? std::make_shared<const AngleSpline<R>>(table) : nullptr;
+  }
+  TideSeries<R> operator()(const TideSeries<T>& tide) const { return TideSeries<R>(tide); }
+};
+
+/// A struct of coefficients, over the scalar that records operations.
+template <template <class> class Struct, class T>
+Struct<real::Recorded<T>> recorded(const Struct<T>& coefficients) {
+  return converted<real::Recorded<T>>(coefficients, ToRecorded<T>());
 }
 
 }  // namespace earthtop

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A scene for each effect of the catalogue (budget/effects.hpp), and for each branch of its formula. Every effect is so strong that
+/// it changes the motion of `fast_earth_top` by much more than the error of two runs.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "support/effect_scenes.hpp"
+
+namespace earthtop::testing {
+
+struct EffectCase {
+  std::string effect;  ///< its name in the catalogue
+  std::string name;    ///< of the branch
+  std::function<void(Scenario&)> add;
+  std::function<void(Scenario&)> leave_out;  ///< takes the effect, and nothing else, out of a scene to which it was added
+};
+
+/// An Earth that turns once in a minute and a half: its drift is large, and its square counts.
+inline Scenario fast_earth_top() {
+  Scenario s = toy_top();
+  s.rotation_rate_rad_s = 0.07;
+  s.duration_s = 2;
+  s.output_step_s = 0.25;
+  return s;
+}
+
+/// A platform whose angle is a table of a slow swing.
+inline PlatformSpec swinging_table() {
+  AngleTable table;
+  for (int i = 0; i <= 10; ++i) table.t_s.push_back(0.3 * i), table.angle_rad.push_back(0.2 * std::sin(0.9 * i));
+  PlatformSpec platform{PlatformMotion::table, {0.1, 0.2, 1}, 0, 0, 0, 0, 0, {0.1, 0.02, 0.05}};
+  platform.table = std::make_shared<const AngleTable>(std::move(table));
+  return platform;
+}
+
+/// Torques, fields and platforms that drive any top, or brake it.
+inline std::vector<EffectCase> driving_cases() {
+  const auto applied = [](std::string effect, std::string name, auto change) {
+    return EffectCase{std::move(effect), std::move(name), [change](Scenario& s) { change(s.effects.applied); },
+                      [](Scenario& s) { s.effects.applied = {}; }};
+  };
+  using Applied = AppliedTorquesSpec;
+  std::vector<EffectCase> cases = {
+      applied("viscous_torque", "viscous", [](Applied& a) { a.viscous_N_m_s = 1e-5; }),
+      applied("quadratic_torque", "quadratic", [](Applied& a) { a.quadratic_N_m_s2 = 1e-7; }),
+      applied("coulomb_torque", "dry", [](Applied& a) { a.coulomb_N_m = 1e-3; }),
+      applied("air_drag", "laminar", [](Applied& a) { a.air_drag.emplace().disc_radius_m = 0.1; }),
+      applied("air_drag", "turbulent",
+              [](Applied& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; }),
+      applied("gravity_gradient", "gradient",
+              [](Applied& a) {
+                a.gravity_gradient = GravityGradientSpec{GradientField::given, 50};
+              }),
+      {"tide", "tide",
+       [](Scenario& s) {
+         TideSpec& tide = s.effects.tide.emplace();
+         tide.given = true, tide.amplitude_m_s2 = {0.3, 0.2, -0.1}, tide.frequency_hz = 0.7, tide.phase_deg = 20;
+       },
+       [](Scenario& s) { s.effects.tide.reset(); }},
+      {"platform_motion", "platform",
+       [](Scenario& s) {
+         s.platform = PlatformSpec{PlatformMotion::harmonic, {0.2, 0.1, 1}, 0, 0, 0.3, 0.8, 30, {0.1, 0.02, 0.05}};
+         s.effects.applied.viscous_N_m_s = 1e-5;  // which rubs on the platform
+       },
+       [](Scenario& s) { s.platform.reset(); }},
+      {"platform_motion", "ramp",
+       [](Scenario& s) {
+         s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0.05, 0.75, 0, 0, 0, {0.3, 0.1, 0}};
+       },
+       [](Scenario& s) { s.platform.reset(); }}};
+  return cases;
+}
+
+/// All cases: those above, a platform whose angle has jumps in its third derivative, and what changes the Earth's rotation, its
+/// torques, the release or the constraint.
+inline std::vector<EffectCase> effect_cases() {
+  std::vector<EffectCase> cases = driving_cases();
+  cases.push_back({"platform_motion", "table", [](Scenario& s) { s.platform = swinging_table(); },
+                   [](Scenario& s) { s.platform.reset(); }});
+  const auto flag = [&](std::string effect, bool EffectsSpec::*member) {
+    cases.push_back({effect, effect, [member](Scenario& s) { s.effects.*member = true; },
+                     [member](Scenario& s) { s.effects.*member = false; }});
+  };
+  flag("coriolis", &EffectsSpec::coriolis);
+  flag("centrifugal", &EffectsSpec::centrifugal);
+  flag("transverse", &EffectsSpec::transverse);
+  cases.push_back({"release_matching", "inertial rates",
+                   [](Scenario& s) { s.release.rates_relative_to = RatesRelativeTo::inertial; },
+                   [](Scenario& s) { s.release.rates_relative_to = RatesRelativeTo::laboratory; }});
+  cases.push_back({"polar_motion", "pole",
+                   [](Scenario& s) {
+                     s.site.pole = {50, -80};
+                   },
+                   [](Scenario& s) { s.site.pole = {}; }});
+  cases.push_back({"length_of_day", "longer day",
+                   [](Scenario& s) { s.rotation_rate_rad_s = 0.5, s.excess_length_of_day_ms = 900; },
+                   [](Scenario& s) { s.excess_length_of_day_ms = 0; }});
+  cases.push_back({"deflection_of_vertical", "plumb line",
+                   [](Scenario& s) {
+                     s.site.deflection = {60, 45};
+                   },
+                   [](Scenario& s) { s.site.deflection = {}; }});
+  const auto hold = [](Scenario& s) {
+    s = gyrocompass(40, 25, 2e-4);
+    s.rotation_rate_rad_s = 0.02, s.release.spin_rad_s = 150;
+    s.duration_s = 2, s.output_step_s = 0.25;
+  };
+  cases.push_back({"gimbal", "gimbal", hold, [](Scenario& s) { s.effects.applied.gimbal.reset(); }});
+  cases.push_back({"gimbal", "damping of a gimbal", hold, [](Scenario& s) { s.effects.applied.gimbal->damping_N_m_s = 0; }});
+  return cases;
+}
+
+}  // namespace earthtop::testing
