@@ -70,7 +70,7 @@ double rise(std::span<const double> values, const Piece& piece, std::size_t i) {
 /// The largest value within one look of look i, where no look of the piece is larger than its neighbours.
 Largest top_near(std::span<const double> times_s, std::span<const double> values, const Piece& piece, std::size_t i) {
   Largest top{times_s[i], values[i], 0, i};
-  if (i == piece.begin && (piece.end - piece.begin < 2 || values[i + 1] < values[i])) return top;
+  if (piece.end - piece.begin < 2) return top;
   const double step = piece.end - piece.begin > 1
                           ? (times_s[piece.end - 1] - times_s[piece.begin]) / static_cast<double>(piece.end - piece.begin - 1)
                           : 0;
@@ -120,7 +120,8 @@ std::optional<Largest> largest_of(std::span<const double> times_s, std::span<con
     most = std::max(most, values[i] + above), highest_rise = std::max(highest_rise, above);
   });
   each_top([&](const Piece& piece, std::size_t i) {
-    if (values[i] + rise(values, piece, i) < most - kLeftOut * highest_rise) return;
+    const bool at_end = i == piece.begin || i + 1 == piece.end;  // where no parabola tells how much higher it goes
+    if (!at_end && values[i] + rise(values, piece, i) < most - kLeftOut * highest_rise) return;
     const Largest top = top_near(times_s, values, piece, i);
     if (!largest || top.value > largest->value) largest = top;
   });

@@ -171,6 +171,14 @@ TEST(Largest, IsAtAnEndWhereTheFunctionOnlyGrows) {
   EXPECT_FALSE(largest_of({}, {}));
 }
 
+TEST(Largest, IsFoundBetweenAnEndAndTheNextLook) {
+  std::vector<double> times, values;
+  for (double t = 0; t < 4; t += 0.3) times.push_back(t), values.push_back(-(t - 0.1) * (t - 0.1));
+  const auto top = largest_of(times, values);
+  EXPECT_NEAR(top->t_s, 0.1, 1e-9);
+  EXPECT_NEAR(top->value, 0, 1e-12);
+}
+
 TEST(Largest, IsNotSoughtAcrossAGap) {
   const double nan = std::nan("");
   const std::vector<double> times{0, 1, 2, 3, 4, 5, 6}, values{0, 1, 0.5, nan, 0.5, 2, 1};
