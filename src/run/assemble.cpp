@@ -69,8 +69,9 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const DriftBound<T> none(0);
   const std::optional<ContactRows<T>> table = contact_rows<T>(result.scene, made.first.contact_events);
-  for (const DriftSample<T>& sample : made.first.samples) {
-    BasicDriftRow<T> row = make_row(sample, none, table);
+  for (std::size_t i = 0; i < made.first.samples.size(); ++i) {
+    if (!made.looks.serves(i, LookFor::row)) continue;
+    BasicDriftRow<T> row = make_row(made.first.samples[i], none, table);
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
     if (row.contact) row.contact->drift_tip_bound_m = T(kUnknown);
     add_row(row, result);
@@ -233,7 +234,7 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
   std::vector<AzimuthSample> azimuths;
   if (has_drift(result)) azimuths = look_between(scene, made, std::move(between), judged, rows, result);
   if (stop()) return stopped(scene, made, options.partial);
-  keep(made.looks, LookFor::row, LookFor::row, made.first.samples);
+  keep(LookFor::row, LookFor::row, made.looks, made.first.samples);
   if (table) {
     result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
     const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());

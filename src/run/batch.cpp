@@ -105,7 +105,8 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
     both.solution.reason = points[i].reason + "; in SIMD lanes";
     both.solution.seconds = seconds[i];
     both.certificate.seconds = seconds[points.size() + i];
-    outcomes[points[i].index].result = assemble_result(scene, std::move(both), {}, Parts(watch, 0), {.watch = {}, .between = between});
+    outcomes[points[i].index].result =
+        assemble_result(scene, std::move(both), {}, Parts(watch, 0), {.watch = {}, .between = between});
     both = {};
   }
 }

@@ -13,16 +13,17 @@
 
 namespace earthtop {
 
-/// Leaves only those samples whose looks serve one of two purposes.
+/// Leaves only those looks that serve one of two purposes, and their samples.
 template <class T>
-void keep(const Looks& looks, LookFor purpose, LookFor other, std::vector<DriftSample<T>>& samples) {
-  std::size_t kept = 0;
+void keep(LookFor purpose, LookFor other, Looks& looks, std::vector<DriftSample<T>>& samples) {
+  Looks kept;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (!looks.serves(i, purpose) && !looks.serves(i, other)) continue;
-    if (kept != i) samples[kept] = std::move(samples[i]);
-    ++kept;
+    if (kept.size() != i) samples[kept.size()] = std::move(samples[i]);
+    kept.times_s.push_back(looks.times_s[i]), kept.purposes.push_back(looks.purposes[i]);
   }
-  samples.resize(kept);
+  samples.resize(kept.size());
+  looks = std::move(kept);
 }
 
 /// The maker of the contact's part of the rows; none for a fixed pivot.
@@ -40,8 +41,7 @@ std::vector<DriftSample<double>> take_between(TwoIntegrations<T>& made) {
   if constexpr (std::is_same_v<T, double>)
     for (std::size_t i = 0; i < samples.size(); ++i)
       if (made.looks.serves(i, LookFor::trend) || made.looks.serves(i, LookFor::picture)) between.push_back(samples[i]);
-  keep(made.looks, LookFor::row, LookFor::judgement, samples);
-  made.looks = made.looks.compared(made.looks.size());
+  keep(LookFor::row, LookFor::judgement, made.looks, samples);
   return between;
 }
 
@@ -77,7 +77,7 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
   std::vector<AzimuthSample> azimuths;
   for (std::size_t i = 0; i < between.size(); ++i)
     if (looks.serves(i, LookFor::trend)) azimuths.push_back(azimuth_sample(between[i]));
-  keep(looks, LookFor::picture, LookFor::picture, between);
+  keep(LookFor::picture, LookFor::picture, looks, between);
   result.looks = rows_of(scene, made.first.contact_events, between);
   result.looks_a_window = made.plan.picture.looks_a_window;
   for (DriftRow& look : result.looks) {

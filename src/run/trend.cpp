@@ -42,7 +42,7 @@ double step_between_looks(double duration, double least_count, double period) {
 
 std::vector<double> times_in_steps(double duration, double step) {
   std::vector<double> times;
-  for (std::size_t k = 0; step * static_cast<double>(k) <= duration; ++k) times.push_back(step * static_cast<double>(k));
+  for (std::size_t k = 0; step * static_cast<double>(k) < duration; ++k) times.push_back(step * static_cast<double>(k));
   return times;
 }
 

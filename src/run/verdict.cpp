@@ -53,7 +53,7 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
 }
 
 /// Returns when the drift has grown to an angle at which growth is no longer linear (s). It says nothing where the Earth itself turns by
-/// as much until then.
+/// half as much until then.
 std::optional<double> earth_grown_s(const RunResult& result) {
   const std::size_t a_window =
       result.looks_a_window > 0 ? result.looks_a_window : std::max<std::size_t>(1, result.looks.size());
@@ -68,7 +68,7 @@ std::optional<double> earth_grown_s(const RunResult& result) {
     }
     grown_s = first_passing(times_s, drifts, kGrownAngle);
   }
-  const bool is_large_effect = grown_s && std::abs(result.modelled.rotation_rate_rad_s()) * *grown_s > kGrownAngle;
+  const bool is_large_effect = grown_s && 2 * std::abs(result.modelled.rotation_rate_rad_s()) * *grown_s > kGrownAngle;
   return is_large_effect ? std::nullopt : grown_s;
 }
 

@@ -35,10 +35,14 @@ double seconds_with(const Scene& scene, const IntegrationOptions& options) {
 /// difference has to be evaluated in 113 bits.
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
-/// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster.
-bool has_long_horizon(const Scene& scene) {
-  constexpr double kGain = 1.5;
-  if (scene.method_refusal(Method::long_horizon)) return false;
+/// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster. The
+/// number of output rows has no part in it: they change no digit of a series.
+bool has_long_horizon(const Scene& given) {
+  constexpr double kGain = 1.5, kRows = 1000;
+  if (given.method_refusal(Method::long_horizon)) return false;
+  Scenario usual = given.scenario();
+  usual.output_step_s = usual.duration_s / kRows;
+  const Scene scene = usual.output_step_s == given.scenario().output_step_s ? given : resolve(usual);
   IntegrationOptions options = scene.scenario().numerics;
   options.method = Method::long_horizon;
   return kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));

@@ -51,9 +51,12 @@ RunEstimate estimate_run(const Scene& scene) {
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();
   seconds.bound = second.seconds + row.integrated * scene.rows();
-  seconds.rows = row.assessed * scene.rows();
+  constexpr double kLooksARadian = 2,
+                   kMostLooks = 24'000;  // for pictures and largest values, half of which need one more integration
+  const double looks = std::min(kMostLooks, kLooksARadian * scene.pace().axis_rate_rad_s * scenario.duration_s);
+  seconds.rows = row.assessed * (scene.rows() + looks) + first.seconds / 2;
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
-  if (scenario.ledger) seconds.ledger = seconds.rows;
+  if (scenario.ledger) seconds.ledger = row.assessed * scene.rows();
   if (scenario.sensitivities)
     if (const SensitivityPlan plan = plan_sensitivities(scene, scenario.duration_s); plan.refusal.empty())
       seconds.sensitivities = plan.seconds;

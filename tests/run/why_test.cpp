@@ -107,7 +107,7 @@ TEST_P(WhyPrecessing, TheEarthAndItsTorqueHaveTheirSizes) {
   const Scenario& s = result.scene.scenario();
   EXPECT_DOUBLE_EQ(number(result, "earth_turns", "earth_angle_rad"), std::abs(s.rotation_rate_rad_s) * s.duration_s);
   double coriolis = 0, gravity = 0;
-  for (const DriftRow& row : result.rows) {
+  for (const DriftRow& row : result.looks) {
     const Quaternion<double> q{row.q_LB[0], Vec3<double>(row.q_LB[1], row.q_LB[2], row.q_LB[3])};
     const auto entry = ledger_entry(LedgerObserver::laboratory, result.modelled.model<double>(), row.t_s, q,
                                     Vec3<double>(0, 0, row.w_LB_B[2]));
@@ -408,8 +408,8 @@ TEST(Why, ASleepingTopThatRollsWalksAsItsPathShows) {
       const WhySentence *leans = find(result, "rest_leans"), *walks = find(result, "walks_west");
       ASSERT_TRUE(leans && walks) << latitude << ' ' << spin << ' ' << result.verdict.reason;
       double south = 0, t = 0, x = 0, tt = 0, tx = 0;
-      const double n = static_cast<double>(result.rows.size());
-      for (const DriftRow& row : result.rows) {
+      const double n = static_cast<double>(result.looks.size());
+      for (const DriftRow& row : result.looks) {
         const double west = -row.contact->tip_m[0] + row.contact->ref_tip_m[0];
         south -= row.axis_L[1] / n, t += row.t_s, x += west, tt += row.t_s * row.t_s, tx += row.t_s * west;
       }
@@ -500,7 +500,7 @@ TEST(Why, NothingIsSaidWhereTheRunSaysOtherwise) {
   result.status = RunStatus::step_limit;
   EXPECT_TRUE(why_sentences(result).empty());
   result = good;
-  for (DriftRow& row : result.rows) row.drift_tilt_rad = -row.drift_tilt_rad;
+  for (DriftRow& row : result.looks) row.drift_tilt_rad = -row.drift_tilt_rad;
   result.why = why_sentences(result);
   EXPECT_TRUE(find(result, "what_is_left"));
   EXPECT_FALSE(find(result, "cone_leans")) << "the tilts lean the other way";

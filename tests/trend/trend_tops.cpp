@@ -19,8 +19,7 @@ std::optional<SecularDrift> trend_of(const Scenario& scenario) {
   const TrendPlan plan = plan_trend(scene);
   if (plan.times_s.empty()) return std::nullopt;
   DriftProblem<double> problem = scene.problem<double>();
-  problem.times_s = {0, scenario.duration_s / 2, scenario.duration_s};
-  problem.trend_times_s = plan.times_s;
+  problem.times_s = plan.times_s;
   IntegrationOptions options;
   options.method = Method::taylor;
   options.relative_tolerance = 1e-12;
@@ -30,14 +29,16 @@ std::optional<SecularDrift> trend_of(const Scenario& scenario) {
   RunResult result;
   result.scene = result.modelled = scene;
   result.reached_s = result.verdict.reliable_until_s = scenario.duration_s;
+  std::vector<AzimuthSample> azimuths;
   for (const DriftSample<double>& sample : trajectory.samples) {
+    azimuths.push_back(azimuth_sample(sample));
     DriftRow row;
     row.t_s = sample.state.t_s;
     row.axis_L = row.ref_axis_L = {1, 0, 0};
     if (sample.measures.azimuth_defined) row.drift_azimuth_rad = sample.azimuth;
-    result.rows.push_back(row);
+    result.looks.push_back(row);
   }
-  std::optional<SecularDrift> trend = assess_trend(result, plan, trajectory.azimuths, options, {}, {});
+  std::optional<SecularDrift> trend = assess_trend(result, plan, azimuths);
   if (trend && !trend->azimuth_rate_rad_s) trend.reset();
   return trend;
 }
