@@ -74,10 +74,12 @@ add_library(earthtop-workbench
   report/html.cpp
   report/known_html.cpp
   report/measurement_page.cpp
+  report/packed.cpp
   report/path_picture.cpp
   report/plan_page.cpp
   report/report.cpp
   report/run_page.cpp
+  report/seen.cpp
   report/study_cells.cpp
   report/study_page.cpp
   report/study_points.cpp

@@ -7,6 +7,7 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "plot/strokes.hpp"
+#include "plot/trace.hpp"
 
 namespace earthtop {
 
@@ -14,8 +15,9 @@ namespace earthtop {
 /// it, in columns, or, where the picture is narrow, as in a text: each entry after the one before it.
 class Legend {
  public:
-  /// @param panel  must outlive the legend
-  Legend(const Panel& panel, const Sheet& sheet);
+  Legend() = default;
+  /// @param panel  must outlive the legend   @param traces  of its lines
+  Legend(const Panel& panel, const std::vector<Trace>& traces, const Sheet& sheet);
   /// The height needed in addition to the caption's line (px).
   double height() const;
   /// @param baseline  y of the baseline of the last row (px)
@@ -26,11 +28,18 @@ class Legend {
     std::size_t row;
     double left;  ///< px
   };
+  struct Entry {
+    const Line* line;
+    std::string label;
+    bool is_band;
+    double width;  ///< px
+  };
   void place_in_columns(double room, double widest);
   void place_as_text(double room);
+  static void draw_entry(std::string& out, const Entry& entry, double left, double baseline);
 
-  const Sheet* sheet_;
-  std::vector<const Line*> lines_;
+  const Sheet* sheet_ = nullptr;
+  std::vector<Entry> entries_;
   std::size_t rows_ = 0;       ///< 0: in the caption's line
   std::vector<Place> places_;  ///< of the entries below the caption
 };

@@ -8,11 +8,12 @@
 #include <limits>
 #include <utility>
 
-#include "earthtop/elementary.hpp"
 #include "plot/legend.hpp"
+#include "plot/mapping.hpp"
 #include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
+#include "plot/trace.hpp"
 
 namespace earthtop {
 namespace {
@@ -40,27 +41,6 @@ struct Range {
   bool empty() const { return !(low <= high); }
 };
 
-bool drawable(double value, AxisScale scale) { return std::isfinite(value) && (scale == AxisScale::linear || value > 0); }
-
-/// An axis with its ticks, and the transformation from data to px.
-struct Mapping {
-  Ticks axis;
-  AxisScale scale;
-  double from, to;   ///< px of axis.low and axis.high
-  double low, high;  ///< the ends of the axis, or their logarithms
-
-  Mapping(Ticks ticks, AxisScale axis_scale, double from_px, double to_px)
-      : axis(std::move(ticks)), scale(axis_scale), from(from_px), to(to_px), low(scaled(axis.low)), high(scaled(axis.high)) {}
-  double operator()(double value) const {
-    const double share = (scaled(value) - low) / (high - low);
-    return from + std::clamp(share, -0.5, 1.5) * (to - from);
-  }
-
- private:
-  /// Halving keeps the difference of two huge ends finite.
-  double scaled(double value) const { return scale == AxisScale::linear ? value / 2 : real::log10(value); }
-};
-
 Mapping map_axis(Range range, AxisScale scale, bool tight, int wanted, double from, double to) {
   if (range.empty()) range = scale == AxisScale::linear ? Range{0, 1} : Range{0.1, 1};
   // Beyond a quarter of the largest double the arithmetic of the axis would overflow.
@@ -83,69 +63,39 @@ std::string caption(const Axis& axis, const Ticks& ticks) {
   return text;
 }
 
-/// The points of one unbroken piece of a line. If many points fall into one column of pixels, only the first, lowest, highest
-/// and last of them are kept, which give the same picture.
-class Piece {
- public:
-  void add(double x, double y) {
-    const double column = std::floor(x * 2);
-    if (points_ == 0 || column != column_) {
-      flush();
-      column_ = column;
-      first_ = low_ = high_ = {x, y};
-    }
-    last_ = {x, y};
-    if (y < low_.y) low_ = last_;
-    if (y > high_.y) high_ = last_;
-    ++points_;
-    pending_ = true;
+/// The commands of a path through points, begun with a letter.   @param top  of the panel in the picture (px)
+void add_points(std::string& path, char first, const std::vector<PlotPoint>& points, double top) {
+  for (const PlotPoint& point : points) {
+    fmt::format_to(Out(path), "{}{:.2f} {:.2f}", first, point.x, top + point.y);
+    first = 'L';
   }
-  std::string path() {
-    flush();
-    return points_ == 1 ? path_ + "h0.01" : path_;  // a single point shows as a dot because of the round line cap
-  }
-  double first_x() const { return begin_x_; }
-  double last_x() const { return last_.x; }
-  bool empty() const { return points_ == 0; }
+}
 
- private:
-  struct Point {
-    double x = 0, y = 0;
-    bool operator==(const Point&) const = default;
-  };
-  void flush() {
-    if (!pending_) return;
-    pending_ = false;
-    Point inner[] = {low_, high_};
-    if (inner[1].x < inner[0].x) std::swap(inner[0], inner[1]);
-    write(first_);
-    for (const Point& point : inner)
-      if (point != first_ && point != last_) write(point);
-    if (last_ != first_) write(last_);
+/// A line, or a band with its edges.
+void draw_stretch(std::string& out, const Stretch& stretch, const Line& line, double top) {
+  std::string path, fill = "fill=\"none\"";
+  add_points(path, 'M', stretch.upper, top);
+  if (stretch.is_band()) {
+    add_points(path, 'L', {stretch.lower.rbegin(), stretch.lower.rend()}, top);
+    path += 'Z';
+    fill = fmt::format("class=\"et-band\" fill=\"{}\" fill-opacity=\"{}\"", hex(line.color), kBandOpacity);
+  } else if (stretch.upper.size() == 1) {
+    path += "h0.01";  // a single point shows as a dot because of the round line cap
   }
-  void write(Point point) {
-    if (path_.empty()) begin_x_ = point.x;
-    fmt::format_to(Out(path_), "{}{:.2f} {:.2f}", path_.empty() ? "M" : "L", point.x, point.y);
-  }
-
-  std::string path_;
-  std::size_t points_ = 0;
-  bool pending_ = false;
-  double column_ = 0, begin_x_ = 0;
-  Point first_, low_, high_, last_;
-};
-
-void draw_piece(std::string& out, Piece& piece, const Line& line, double floor) {
-  if (piece.empty()) return;
-  const std::string path = piece.path();
-  const char* color = hex(line.color);
-  if (line.style == LineStyle::filled)
-    fmt::format_to(Out(out), "<path d=\"{}V{:.2f}H{:.2f}Z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", path, floor,
-                   piece.first_x(), color);
   fmt::format_to(Out(out),
-                 "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
+                 "<path d=\"{}\" {} stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" "
                  "stroke-linecap=\"round\"{}/>\n",
-                 path, color, stroke_width(line.style), stroke_kind(line.style));
+                 path, fill, hex(line.color), stroke_width(line.style), stroke_kind(line.style));
+}
+
+void draw_piece(std::string& out, const Piece& piece, const Line& line, double top, double floor) {
+  if (line.style == LineStyle::filled) {
+    std::string path;
+    for (const Stretch& stretch : piece) add_points(path, path.empty() ? 'M' : 'L', stretch.upper, top);
+    fmt::format_to(Out(out), "<path d=\"{}V{:.2f}H{:.2f}Z\" fill=\"{}\" fill-opacity=\"0.15\"/>\n", path, floor,
+                   piece.front().upper.front().x, hex(line.color));
+  }
+  for (const Stretch& stretch : piece) draw_stretch(out, stretch, line, top);
 }
 
 /// Half the width of a line's bars in units of x: half the smallest distance of two of its points.
@@ -180,20 +130,12 @@ void draw_points(std::string& out, const Line& line, const Mapping& x, const Map
   }
 }
 
-void draw_line(std::string& out, const Line& line, const Mapping& x, const Mapping& y) {
+bool is_drawn_through(const Line& line) { return line.style != LineStyle::points && line.style != LineStyle::bars; }
+
+void draw_line(std::string& out, const Line& line, const Trace& trace, const Mapping& x, const Mapping& y) {
   if (line.style == LineStyle::points) return draw_points(out, line, x, y);
   if (line.style == LineStyle::bars) return draw_bars(out, line, x, y);
-  Piece piece;
-  const std::size_t count = std::min(line.x.size(), line.y.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    if (drawable(line.x[i], x.scale) && drawable(line.y[i], y.scale)) {
-      piece.add(x(line.x[i]), y(line.y[i]));
-    } else {
-      draw_piece(out, piece, line, y.from);
-      piece = {};
-    }
-  }
-  draw_piece(out, piece, line, y.from);
+  for (const Piece& piece : trace.pieces) draw_piece(out, piece, line, y.to, y.from);
   if (line.marker != Marker::none || !line.error.empty()) draw_points(out, line, x, y);
 }
 
@@ -212,13 +154,17 @@ void include_y(Range& range, const Line& line, AxisScale x_scale, AxisScale y_sc
 struct PanelRoom {
   const Panel* panel;
   Range range;  ///< of its values of y
+  double height;
+  std::vector<Trace> traces;  ///< of its lines, with the panel's top at 0
   Legend legend;
   std::vector<std::string> caption;
-  double height;
 
-  PanelRoom(const Panel& drawn, AxisScale x_scale, const Sheet& sheet)
-      : panel(&drawn), legend(drawn, sheet), height(std::min(drawn.height, sheet.tallest_panel)) {
-    for (const Line& line : drawn.lines) include_y(range, line, x_scale, drawn.y.scale);
+  PanelRoom(const Panel& drawn, const Mapping& x, const Sheet& sheet)
+      : panel(&drawn), height(std::min(drawn.height, sheet.tallest_panel)) {
+    for (const Line& line : drawn.lines) include_y(range, line, x.scale, drawn.y.scale);
+    const Mapping y = map_y(height, 0);
+    for (const Line& line : drawn.lines) traces.push_back(is_drawn_through(line) ? trace_of(line, x, y) : Trace());
+    legend = Legend(drawn, traces, sheet);
     caption = lines_of(earthtop::caption(drawn.y, map_y(0, 1).axis), sheet.caption_characters, sheet.most_lines);
   }
   Mapping map_y(double floor, double top) const { return map_axis(range, panel->y.scale, false, 6, floor, top); }
@@ -245,7 +191,7 @@ void draw_panel(std::string& out, const PanelRoom& room, const Sheet& sheet, con
                  "<clipPath id=\"{}\"><rect x=\"{}\" y=\"{:.2f}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
                  "<g clip-path=\"url(#{})\">\n",
                  id, sheet.left, top - 2, sheet.plot_width() + 2, room.height + 4, id);
-  for (const Line& line : panel.lines) draw_line(out, line, x, y);
+  for (std::size_t i = 0; i < panel.lines.size(); ++i) draw_line(out, panel.lines[i], room.traces[i], x, y);
   out += "</g>\n";
   draw_rule(out, "et-frame", sheet.left, floor, right, floor);
 }
@@ -284,7 +230,7 @@ PlotFrame frame_of(const Figure& figure, PlotWidth width) {
   const Mapping x = map_x(figure, sheet);
   PlotFrame frame{sheet.width, x.from, x.to, x.axis.low, x.axis.high, figure.x.scale};
   if (figure.panels.empty()) return frame;
-  const PanelRoom room(figure.panels[0], figure.x.scale, sheet);
+  const PanelRoom room(figure.panels[0], x, sheet);
   frame.top = Heading(figure, sheet).end + room.above();
   frame.floor = frame.top + room.height;
   const Mapping y = room.map_y(frame.floor, frame.top);
@@ -298,7 +244,7 @@ std::string svg(const Figure& figure, PlotWidth width) {
   const Sheet& sheet = sheet_of(width);
   const Mapping x = map_x(figure, sheet);
   std::vector<PanelRoom> rooms;
-  for (const Panel& panel : figure.panels) rooms.emplace_back(panel, figure.x.scale, sheet);
+  for (const Panel& panel : figure.panels) rooms.emplace_back(panel, x, sheet);
   const Heading heading(figure, sheet);
   const auto x_caption = lines_of(caption(figure.x, x.axis), sheet.caption_characters, sheet.most_lines);
   double top = heading.end;

@@ -35,6 +35,10 @@ const char* hex(LineColor color);
 const char* stroke_kind(LineStyle style);
 double stroke_width(LineStyle style);
 
+/// How opaque a band is that is drawn where a line swings too fast to be seen. Its edges are strokes as the line's, so that a band as thin
+/// as a line looks like one.
+inline constexpr double kBandOpacity = 0.35;
+
 void draw_marker(std::string& out, const Line& line, double x, double y);
 void draw_error_bar(std::string& out, const Line& line, double x, double y_low, double y_high);
 void draw_text(std::string& out, double x, double y, const char* anchor, const char* style, std::string_view text);

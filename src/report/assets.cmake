@@ -2,7 +2,7 @@
 # Writes OUTPUT, a C++ source that holds the page's style and script as literals.
 file(READ ${DIRECTORY}/page.css style)
 set(script "")
-foreach(name charts study view sphere body top page)
+foreach(name charts study unpack view sphere body top page)
   file(READ ${DIRECTORY}/${name}.js part)
   string(APPEND script "${part}")
 endforeach()

@@ -12,6 +12,7 @@
 #include "earthtop/results/compass_point.hpp"
 #include "report/drift_section.hpp"
 #include "report/known_html.hpp"
+#include "report/packed.hpp"
 #include "report/path_picture.hpp"
 
 namespace earthtop::report {
@@ -56,24 +57,35 @@ std::string toward(const Run& run, double x, double y) {
   return fmt::format("({:+.3g} m and {:+.3g} m along the table's axes)", x, y);
 }
 
+/// The paths at the output rows.
+std::string path_table(const Run& run) {
+  const char* const names[] = {"ref_tip_L_x_m", "ref_tip_L_y_m", "drift_tip_x_m", "drift_tip_y_m"};
+  std::vector<std::vector<std::string>> rows;
+  const std::vector<Row>& listed = run.listed.rows;
+  const std::size_t stride = std::max<std::size_t>(1, (listed.size() + kMostRows - 1) / kMostRows);
+  for (std::size_t i = 0; i < listed.size(); i += stride) {
+    rows.push_back({fmt::format("{:.7g}", listed[i].t_s * run.time.per_s)});
+    for (const char* name : names) rows.back().push_back(fmt::format("{:.7g}", value(listed[i], column(name))));
+  }
+  return table_html(
+      {fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)", "drift x (m)", "drift y (m)"}, rows);
+}
+
 std::string path_html(const Run& run, Page& page) {
+  // Of windows the mean is drawn: a path through all their looks would join what is not known.
+  const Motion& motion = run.drawn.a_window > 0 ? run.played : run.drawn;
   PathPicture picture;
   picture.name = "path";
   picture.title = "Path of the contact point";
-  picture.reference = {"prediction", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m")};
-  const std::vector<double> x = values(run, "drift_tip_x_m"), y = values(run, "drift_tip_y_m"), t = times(run);
+  picture.reference = {"prediction", values(motion, "ref_tip_L_x_m"), values(motion, "ref_tip_L_y_m")};
+  const std::vector<double> x = values(motion, "drift_tip_x_m"), y = values(motion, "drift_tip_y_m");
   const double path_m = extent(picture.reference.x, picture.reference.y), drift_m = std::fmax(largest_size(x), largest_size(y));
   const double factor = tip_magnification(path_m, drift_m);
   picture.rotating = {factor == 1 ? "with Earth rotation" : fmt::format("with Earth rotation, drift ×{}", times_text(factor)),
                       picture.reference.x, picture.reference.y};
-  std::vector<std::vector<std::string>> rows;
-  const std::size_t stride = std::max<std::size_t>(1, (run.rows.size() + kMostRows - 1) / kMostRows);
   for (std::size_t i = 0; i < x.size(); ++i) {
     picture.rotating.x[i] += factor * x[i];
     picture.rotating.y[i] += factor * y[i];
-    if (i % stride == 0)
-      rows.push_back({fmt::format("{:.7g}", t[i]), fmt::format("{:.7g}", picture.reference.x[i]),
-                      fmt::format("{:.7g}", picture.reference.y[i]), fmt::format("{:.7g}", x[i]), fmt::format("{:.7g}", y[i])});
   }
   const bool level = is_level(run);
   picture.right = level ? "East" : "the table's axis 1";
@@ -83,52 +95,61 @@ std::string path_html(const Run& run, Page& page) {
                                 : fmt::format("The prediction to scale, its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
   const std::string caption = fmt::format(
-      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end.", scale,
-      length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3));
-  return page.picture("path", path_svg(picture), caption,
-                      table_html({fmt::format("Time ({})", run.time.name), "prediction x (m)", "prediction y (m)",
-                                  "drift x (m)", "drift y (m)"},
-                                 rows));
+      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end. {}",
+      scale, length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3),
+      run.drawn.a_window > 0 ? run.played_words : run.drawn_words);
+  return page.picture("path", path_svg(picture), caption, path_table(run));
 }
 
 /// The distance of the two contact points and its parts, in one unit.
-Figure tip_figure(const Run& run) {
-  const std::vector<double> t = times(run);
-  const ReadableUnit unit = length_unit(largest_size(values(run, "drift_tip_m")));
-  const auto part = [&](const char* name) { return values(run, name, unit.per_si); };
+Figure tip_figure(const Run& run, const Motion& motion) {
+  const std::vector<double> t = times(run, motion);
+  const ReadableUnit unit = length_unit(largest_size(values(run.drawn, "drift_tip_m")));
+  const auto part = [&](const char* name) { return values(motion, name, unit.per_si); };
   const bool level = is_level(run);
+  const std::array<std::vector<double>, 2> apart = {part("drift_tip_x_m"), part("drift_tip_y_m")};
   Panel panel{{"Drift of the contact point", std::string(unit.name)}, {}};
-  panel.lines.push_back({"distance", t, part("drift_tip_m")});
+  panel.lines.push_back(line_of(motion, "distance", t, part("drift_tip_m"), LineColor::blue, LineStyle::solid, apart));
   panel.lines.push_back(
-      {level ? "to the East" : "along axis 1", t, part("drift_tip_x_m"), LineColor::green, LineStyle::dotted});
+      line_of(motion, level ? "to the East" : "along axis 1", t, apart[0], LineColor::green, LineStyle::dotted));
   panel.lines.push_back(
-      {level ? "to the North" : "along axis 2", t, part("drift_tip_y_m"), LineColor::orange, LineStyle::dashed});
+      line_of(motion, level ? "to the North" : "along axis 2", t, apart[1], LineColor::orange, LineStyle::dashed));
   return {
       "Distance of the two contact points", "Rotating minus non-rotating Earth", {"Time", run.time.name}, {std::move(panel)}};
 }
 
-Figure tip_bound_figure(const Run& run) {
-  const ReadableUnit unit = length_unit(largest_size(values(run, "drift_tip_m")));
+Figure tip_bound_figure(const Run& run, const Motion& motion) {
+  const ReadableUnit unit = length_unit(largest_size(values(run.drawn, "drift_tip_m")));
+  const std::array<std::vector<double>, 2> apart = {values(motion, "drift_tip_x_m"), values(motion, "drift_tip_y_m")};
+  Panel panel{{"Tip drift", std::string(unit.name), AxisScale::logarithmic}, {}};
+  panel.lines = {{"bound on its error", times(run, run.listed), values(run.listed, "drift_tip_bound_m", unit.per_si),
+                  LineColor::vermillion, LineStyle::filled},
+                 line_of(motion, "drift", times(run, motion), values(motion, "drift_tip_m", unit.per_si), LineColor::blue,
+                         LineStyle::solid, apart)};
   return {"Distance of the two contact points, and the bound on its error",
           "Rotating against non-rotating Earth",
           {"Time", run.time.name},
-          {{{"Tip drift", std::string(unit.name), AxisScale::logarithmic},
-            {{"bound on its error", times(run), values(run, "drift_tip_bound_m", unit.per_si), LineColor::vermillion,
-              LineStyle::filled},
-             {"drift", times(run), values(run, "drift_tip_m", unit.per_si)}}}}};
+          {std::move(panel)}};
 }
 
-Figure force_figure(const Run& run) {
-  const std::vector<double> t = times(run);
-  return {"Slip and normal force",
-          "Both predictions",
-          {"Time", run.time.name},
-          {{{"Slip of the tip", "m/s"},
-            {{"prediction", t, values(run, "ref_slip_m_s"), LineColor::blue, LineStyle::broad},
-             {"with Earth rotation", t, values(run, "slip_m_s"), LineColor::vermillion}}},
-           {{"Normal force", "N"},
-            {{"prediction", t, values(run, "ref_normal_force_N"), LineColor::blue, LineStyle::broad},
-             {"with Earth rotation", t, values(run, "normal_force_N"), LineColor::vermillion}}}}};
+/// Slip and force have corners where the tip begins to roll: their lines go from point to point.
+Figure force_figure(const Run& run, const Motion& motion) {
+  const std::vector<double> t = times(run, motion);
+  const auto line = [&](const char* label, const char* name, LineColor color, LineStyle style) {
+    Line made{label, t, values(motion, name), color, style};
+    made.a_column = motion.a_window;
+    return made;
+  };
+  const auto panel = [&](const char* label, const char* unit, const char* reference, const char* rotating) {
+    Panel made{{label, unit}, {}};
+    made.lines.push_back(line("prediction", reference, LineColor::blue, LineStyle::broad));
+    made.lines.push_back(line("with Earth rotation", rotating, LineColor::vermillion, LineStyle::solid));
+    return made;
+  };
+  Figure figure{"Slip and normal force", "Both predictions", {"Time", run.time.name}, {}};
+  figure.panels.push_back(panel("Slip of the tip", "m/s", "ref_slip_m_s", "slip_m_s"));
+  figure.panels.push_back(panel("Normal force", "N", "ref_normal_force_N", "normal_force_N"));
+  return figure;
 }
 
 /// The first and the last of the numbers that are finite; none where there are none.
@@ -145,19 +166,20 @@ Ends ends(const std::vector<double>& list) {
   return found;
 }
 
-/// These sentences say what can be seen in the pictures. A sentence is written only where it is true of the rows.
+/// These sentences say what can be seen in the pictures. A sentence is written only where it is true of what is drawn.
 std::string seen_html(const Run& run) {
   std::string html = "<p>";
-  const Ends x = ends(values(run, "tip_L_x_m")), y = ends(values(run, "tip_L_y_m")), slip = ends(values(run, "slip_m_s"));
+  const Ends x = ends(values(run.drawn, "tip_L_x_m")), y = ends(values(run.drawn, "tip_L_y_m")),
+             slip = ends(values(run.drawn, "slip_m_s"));
   const double far = real::hypot(x.last - x.first, y.last - y.first);
   if (far > 0)
     html += fmt::format("The tip ends {} {} of where it started. ", length_text(far, 3),
                         is_level(run) ? compass_point(x.last - x.first, y.last - y.first) : "away, on the tilted table,");
-  const Ends dx = ends(values(run, "drift_tip_x_m")), dy = ends(values(run, "drift_tip_y_m"));
+  const Ends dx = ends(values(run.drawn, "drift_tip_x_m")), dy = ends(values(run.drawn, "drift_tip_y_m"));
   const double drift = real::hypot(dx.last, dy.last);
   if (drift > 0)
     html += fmt::format("The Earth's rotation moves its end by {} {}. ", length_text(drift, 3), toward(run, dx.last, dy.last));
-  const std::vector<double> state = values(run, "contact_state"), force = values(run, "normal_force_N");
+  const std::vector<double> state = values(run.drawn, "contact_state"), force = values(run.drawn, "normal_force_N");
   if (std::all_of(state.begin(), state.end(), [](double s) { return s == static_cast<double>(ContactState::roll); }))
     html += "It rolls throughout. ";
   else if (slip.first > 0 && slip.last < 0.1 * slip.first)
@@ -240,22 +262,23 @@ std::string balances_html(const Run& run) {
 }  // namespace
 
 std::string tip_drift_html(const Run& run, Page& page) {
-  const double drift = ends(values(run, "drift_tip_m")).last, bound = ends(values(run, "drift_tip_bound_m")).last;
-  std::string html =
-      seen_html(run) + page.chart("tip", tip_figure(run), "The distance of the two contact points and its parts.");
+  const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
+  std::string html = seen_html(run) + page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
+                                                 "The distance of the two contact points and its parts. " + run.drawn_words);
   if (std::isfinite(drift) && std::isfinite(bound))
     html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
-  return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run));
+  return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run, run.drawn), tip_bound_figure(run, run.listed));
 }
 
 std::string contact_section(const Run& run, Page& page) {
   return path_html(run, page) +
-         page.chart("force", force_figure(run), "Slip of the contact point over the table, and the force of the table on it.") +
+         page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
+                    "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words) +
          events_html(run) + balances_html(run) + changes_html(run);
 }
 
 void add_tip_motion(const Run& run, Page& page) {
-  const std::vector<double> x = values(run, "tip_L_x_m"), y = values(run, "tip_L_y_m");
+  const std::vector<double> x = values(run.played, "tip_L_x_m"), y = values(run.played, "tip_L_y_m");
   double stem_m = 0;
   if (run.scene) {
     const Scenario& scenario = run.scene->scenario();
@@ -269,16 +292,22 @@ void add_tip_motion(const Run& run, Page& page) {
   for (int axis = 0; axis < 2; ++axis)
     for (const double m : axis == 0 ? x : y) middle[axis] = {std::fmin(middle[axis].first, m), std::fmax(middle[axis].last, m)};
   Json& data = page.data();
-  const auto add = [&](const char* name, const std::vector<double>& east, const std::vector<double>& north) {
-    data[name] = Json::array();
-    for (std::size_t i = 0; i < east.size(); ++i) {
-      const double place[] = {(east[i] - (middle[0].first + middle[0].last) / 2) / unit_m,
-                              (north[i] - (middle[1].first + middle[1].last) / 2) / unit_m, 0};
-      for (const double m : place) data[name].push_back(std::isfinite(m) ? Json::parse(fmt::format("{:.5g}", m)) : Json());
+  const auto add = [&](const char* name, std::vector<double> east, std::vector<double> north) {
+    constexpr int kTipBits = 14;  // the path fills a picture of 500 px
+    Json place = Json::array();
+    int axis = 0;
+    for (std::vector<double>* list : {&east, &north}) {
+      const double centre = (middle[axis].first + middle[axis].last) / 2;
+      ++axis;
+      for (double& m : *list) m = (m - centre) / unit_m;
+      if (!std::ranges::all_of(*list, [](double m) { return std::isfinite(m); })) return;
+      place.push_back(packed(*list, kTipBits));
     }
+    place.push_back(packed(std::vector<double>(east.size(), 0), kTipBits));
+    data["packed"]["vectors"][name] = std::move(place);
   };
   add("tip", x, y);
-  add("ref_tip", values(run, "ref_tip_L_x_m"), values(run, "ref_tip_L_y_m"));
+  add("ref_tip", values(run.played, "ref_tip_L_x_m"), values(run.played, "ref_tip_L_y_m"));
   data["path_shrunk"] = stem_m > 0 ? unit_m / stem_m : 0.0;
 }
 

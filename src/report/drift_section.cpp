@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "earthtop/results/azimuth_trend.hpp"
@@ -20,83 +21,105 @@ std::vector<double> scaled(std::vector<double> list, double factor) {
 }
 
 /// Whether each row's drift can be trusted; rows of older results that do not say so can.
-std::vector<bool> reliable_rows(const Run& run) {
+std::vector<bool> reliable_rows(const Motion& motion) {
   std::vector<bool> list;
-  for (const double flag : values(run, "drift_reliable")) list.push_back(flag != 0);
+  for (const double flag : values(motion, "drift_reliable")) list.push_back(flag != 0);
   return list;
 }
 
+/// The difference of the two axes; it is not exact, but serves to find where they are nearest.
+std::array<std::vector<double>, 3> axes_apart(const Motion& motion) {
+  std::array<std::vector<double>, 3> apart;
+  const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x");
+  for (std::size_t k = 0; k < apart.size(); ++k)
+    for (const Row& row : motion.rows) apart[k].push_back(row.value[axis + k] - row.value[ref_axis + k]);
+  return apart;
+}
+
 /// The angle between the axes and its part in tilt, in one unit.
-Panel angle_panel(const Run& run) {
-  std::vector<double> angle = values(run, "drift_axis_rad"), tilt = values(run, "drift_tilt_rad");
-  const ReadableUnit unit = angle_unit(std::max(largest_size(angle), largest_size(tilt)));
+Panel angle_panel(const Run& run, const Motion& motion) {
+  std::vector<double> angle = values(motion, "drift_axis_rad"), tilt = values(motion, "drift_tilt_rad");
+  const ReadableUnit unit = angle_unit(
+      std::max(largest_size(values(run.drawn, "drift_axis_rad")), largest_size(values(run.drawn, "drift_tilt_rad"))));
   angle = scaled(std::move(angle), unit.per_si);
-  const std::vector<double> t = times(run);
-  const std::vector<bool> reliable = reliable_rows(run);
+  const std::vector<double> t = times(run, motion);
+  const std::vector<bool> reliable = reliable_rows(motion);
   std::vector<double> later = angle;
   for (std::size_t i = 0; i < angle.size(); ++i) (reliable[i] ? later : angle)[i] = kNoNumber;
-  const bool has_later = std::find(reliable.begin(), reliable.end(), false) != reliable.end();
+  const std::vector<bool> seen = reliable_rows(run.drawn);
+  const bool has_later = std::find(seen.begin(), seen.end(), false) != seen.end();
+  const std::array<std::vector<double>, 3> apart = axes_apart(motion);
   Panel panel{{"Angle between the two spin axes", std::string(unit.name)}, {}};
-  panel.lines.push_back({"angle", t, std::move(angle)});
-  panel.lines.push_back({"its part in tilt", t, scaled(std::move(tilt), unit.per_si), LineColor::orange, LineStyle::dashed});
-  if (has_later) panel.lines.push_back({"not reliable", t, std::move(later), LineColor::grey, LineStyle::dotted});
+  panel.lines.push_back(line_of(motion, "angle", t, std::move(angle), LineColor::blue, LineStyle::solid, apart));
+  panel.lines.push_back(
+      line_of(motion, "its part in tilt", t, scaled(std::move(tilt), unit.per_si), LineColor::orange, LineStyle::dashed));
+  if (has_later)
+    panel.lines.push_back(
+        line_of(motion, "not reliable", t, std::move(later), LineColor::grey, LineStyle::dotted, apart));
   return panel;
 }
 
 /// Whether azimuths tell at all rows how the axes stand to each other.
-bool has_azimuths(const Run& run, const std::vector<double>& azimuth) {
+bool has_azimuths(const Motion& motion, const std::vector<double>& azimuth) {
   const std::size_t axis = column("axis_L_x"), ref_axis = column("ref_axis_L_x"), apart = column("drift_axis_rad");
-  return std::all_of(run.rows.begin(), run.rows.end(),
+  return std::all_of(motion.rows.begin(), motion.rows.end(),
                      [&](const Row& row) {
                        return azimuths_are_meaningful(&row.value[axis], &row.value[ref_axis], row.value[apart]);
                      }) &&
          std::all_of(azimuth.begin(), azimuth.end(), [](double a) { return std::isfinite(a); });
 }
 
+/// What is left of azimuths beside a line.
+std::vector<double> beside_line(const Motion& motion, double rate, double offset) {
+  std::vector<double> rest = values(motion, "drift_azimuth_rad");
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= offset + rate * motion.rows[i].t_s;
+  return rest;
+}
+
 /// The azimuth with its secular line, and what is left of it beside the line.
-void add_azimuth(const Run& run, Figure& figure) {
-  const std::vector<double> azimuth = values(run, "drift_azimuth_rad"), t = times(run);
-  if (azimuth.empty() || !has_azimuths(run, azimuth)) return;
-  const ReadableUnit unit = angle_unit(largest_size(azimuth));
+void add_azimuth(const Run& run, const Motion& motion, Figure& figure) {
+  const std::vector<double> seen = values(run.drawn, "drift_azimuth_rad"), t = times(run, motion);
+  if (seen.empty() || !has_azimuths(run.drawn, seen)) return;
+  const ReadableUnit unit = angle_unit(largest_size(seen));
   Panel panel{{"Azimuth, clockwise from above", std::string(unit.name)}, {}};
-  panel.lines.push_back({"azimuth", t, scaled(azimuth, unit.per_si)});
+  panel.lines.push_back(line_of(motion, "azimuth", t, values(motion, "drift_azimuth_rad", unit.per_si)));
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
   if (!rate) {
     figure.panels.push_back(std::move(panel));
     return;
   }
   double offset = 0;
-  for (std::size_t i = 0; i < t.size(); ++i) offset += (azimuth[i] - *rate * run.rows[i].t_s) / static_cast<double>(t.size());
-  std::vector<double> line, rest;
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    line.push_back(offset + *rate * run.rows[i].t_s);
-    rest.push_back(azimuth[i] - line.back());
-  }
-  panel.lines.push_back({"secular line", t, scaled(std::move(line), unit.per_si), LineColor::grey, LineStyle::broad});
-  const ReadableUnit small = angle_unit(largest_size(rest));
+  for (const double rest : beside_line(run.drawn, *rate, 0)) offset += rest / static_cast<double>(seen.size());
+  std::vector<double> line;
+  for (const Row& row : motion.rows) line.push_back((offset + *rate * row.t_s) * unit.per_si);
+  panel.lines.push_back({"secular line", t, std::move(line), LineColor::grey, LineStyle::broad});
+  const ReadableUnit small = angle_unit(largest_size(beside_line(run.drawn, *rate, offset)));
   Panel beside{{"Azimuth minus its secular line", std::string(small.name)}, {}, 120};
-  beside.lines.push_back({"residual", t, scaled(std::move(rest), small.per_si)});
+  beside.lines.push_back(line_of(motion, "residual", t, scaled(beside_line(motion, *rate, offset), small.per_si)));
   figure.panels.push_back(std::move(panel));
   figure.panels.push_back(std::move(beside));
 }
 
-Figure drift_figure(const Run& run) {
+Figure drift_figure(const Run& run, const Motion& motion) {
   Figure figure{
       "Drift", "Rotating minus non-rotating Earth; " + run.word("/matching_rule/statement"), {"Time", run.time.name}, {}};
-  figure.panels.push_back(angle_panel(run));
-  add_azimuth(run, figure);
+  figure.panels.push_back(angle_panel(run, motion));
+  add_azimuth(run, motion, figure);
   return figure;
 }
 
-Figure bound_figure(const Run& run) {
+/// The bound comes from the output rows: it only grows, so that it needs no others.
+Figure bound_figure(const Run& run, const Motion& motion) {
   const ReadableUnit unit = angle_unit(run.number("/drift/axis_max_rad").value_or(0));
-  return {"Angle between the two spin axes, and the bound on its error",
-          "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
-          {"Time", run.time.name},
-          {{{"Axis drift", std::string(unit.name), AxisScale::logarithmic},
-            {{"bound on its error", times(run), values(run, "drift_axis_bound_rad", unit.per_si), LineColor::vermillion,
-              LineStyle::filled},
-             {"drift", times(run), values(run, "drift_axis_rad", unit.per_si)}}}}};
+  Figure figure{"Angle between the two spin axes, and the bound on its error",
+                "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
+                {"Time", run.time.name},
+                {{{"Axis drift", std::string(unit.name), AxisScale::logarithmic}, {}}}};
+  figure.panels[0].lines = {{"bound on its error", times(run, run.listed),
+                             values(run.listed, "drift_axis_bound_rad", unit.per_si), LineColor::vermillion, LineStyle::filled},
+                            line_of(motion, "drift", times(run, motion), values(motion, "drift_axis_rad", unit.per_si),
+                                    LineColor::blue, LineStyle::solid, axes_apart(motion))};
+  return figure;
 }
 
 /// The bound on the error of the angle, as text.
@@ -162,9 +185,9 @@ std::string headline_html(const Run& run) {
              at = run.number("/drift/reliable/at_s");
   if (!drift || !bound || !at || !(*at > 0)) return "No row of this run can be trusted.";
   std::string tip;
-  if (run.has_contact && *at == run.rows.back().t_s) {
-    const double far = value(run.rows.back(), column("drift_tip_m")),
-                 error = value(run.rows.back(), column("drift_tip_bound_m"));
+  if (run.has_contact && *at == run.listed.rows.back().t_s) {
+    const double far = value(run.listed.rows.back(), column("drift_tip_m")),
+                 error = value(run.listed.rows.back(), column("drift_tip_bound_m"));
     if (std::isfinite(far)) tip = ", and the tip " + known_html(far, error, length_unit(far)) + " from there";
   }
   return fmt::format("After {} the axis stands {} from where the non-rotating prediction puts it{}. Both predictions: {}.",
@@ -172,13 +195,14 @@ std::string headline_html(const Run& run) {
                      escaped(run.word("/matching_rule/statement")));
 }
 
-std::string drift_section(const Run& run, Page& page, const std::string& note) {
-  Figure figure = drift_figure(run);
+std::string drift_section(const Run& run, Page& page) {
+  Figure figure = drift_figure(run, run.drawn);
   std::string caption = "The angle between the two axes and its part in tilt";
   if (figure.panels.size() > 1) caption += "; the azimuth";
   if (figure.panels.size() > 2) caption += ", and what is left of it without its secular line";
-  return page.chart("parts", std::move(figure), caption + "." + note) + bound_of(run) +
-         bound_chart_html(page, "axis", bound_figure(run)) + trend_of(run) + events_of(run);
+  return page.chart("parts", std::move(figure), drift_figure(run, run.listed), caption + ". " + run.drawn_words) +
+         bound_of(run) + bound_chart_html(page, "axis", bound_figure(run, run.drawn), bound_figure(run, run.listed)) +
+         trend_of(run) + events_of(run);
 }
 
 std::string why_html(const Run& run) {
@@ -188,9 +212,9 @@ std::string why_html(const Run& run) {
   return html.empty() ? html : "<ol class=\"why\">\n" + html + "</ol>\n";
 }
 
-std::string bound_chart_html(Page& page, const std::string& name, Figure figure) {
+std::string bound_chart_html(Page& page, const std::string& name, Figure figure, const Figure& listed) {
   return "<details><summary>The error's bound beside the drift, over all decades</summary>\n" +
-         page.chart(name, std::move(figure), "Both on a logarithmic scale.") + "</details>\n";
+         page.chart(name, std::move(figure), listed, "Both on a logarithmic scale.") + "</details>\n";
 }
 
 }  // namespace earthtop::report

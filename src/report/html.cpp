@@ -89,8 +89,8 @@ Json plot_json(const Figure& figure) {
           {"narrow", frame_json(frame_of(figure, PlotWidth::narrow))}};
 }
 
-Json chart_json(const Figure& figure, const std::vector<double>& x, const std::vector<Series>& list) {
-  Json json = plot_json(figure);
+Json chart_json(const Figure& drawn, const std::vector<double>& x, const std::vector<Series>& list) {
+  Json json = plot_json(drawn);
   for (const double value : x) json["x"].push_back(short_number(value));
   for (const Series& series : list) {
     Json y = Json::array();
@@ -185,6 +185,14 @@ std::string Page::chart(const std::string& name, Figure figure, std::string_view
   const std::vector<Series> list = series_of(figure, x);
   data_["charts"][name] = chart_json(figure, x, list);
   const std::string table = details(table_of(figure, x, list));
+  return drawn(name, std::move(figure), caption, table);
+}
+
+std::string Page::chart(const std::string& name, Figure figure, const Figure& listed, std::string_view caption) {
+  const std::vector<double> x = all_x(listed);
+  const std::vector<Series> list = series_of(listed, x);
+  data_["charts"][name] = chart_json(figure, x, list);
+  const std::string table = details(table_of(listed, x, list));
   return drawn(name, std::move(figure), caption, table);
 }
 

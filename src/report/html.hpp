@@ -47,6 +47,8 @@ class Page {
   /// picture is also kept for `--svg`.
   /// @param at  the values of x that table and crosshair have, ascending; empty: all of the figure's
   std::string chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at = {});
+  /// A figure whose lines have more points than a page can list: table and crosshair have those of another figure with the same lines.
+  std::string chart(const std::string& name, Figure figure, const Figure& listed, std::string_view caption);
   /// A figure of one panel whose points speak for themselves: each shows its text under the pointer. The page has their table.
   std::string chart_of_marks(const std::string& name, Figure figure, const std::vector<Mark>& marks, std::string_view caption);
   /// A picture that is not a plot, with its own table.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "earthtop/budget/budget.hpp"
@@ -13,9 +15,11 @@
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
 #include "report/drift_section.hpp"
+#include "report/packed.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
 #include "report/run_data.hpp"
+#include "report/seen.hpp"
 #include "report/shell.hpp"
 #include "report/thinning.hpp"
 
@@ -24,7 +28,7 @@ namespace {
 
 using compare::Row;
 
-constexpr std::size_t kMostArrows = 200;  // number of times at which torques are computed for the animation
+constexpr std::size_t kMostArrows = 200;  // number of times at most at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
 
 /// When the drift cannot be trusted, and why; from results that have no intervals, only from when on.
@@ -51,65 +55,94 @@ std::string verdict_of(const Run& run) {
   return text;
 }
 
-/// Three numbers for each row, the direction of an axis; the page subtracts the two axes.
-Json directions(const std::vector<Row>& rows, std::string_view first) {
-  Json list = Json::array();
+/// Three numbers for each row, the direction of an axis.
+std::vector<double> directions(const Motion& motion, std::string_view first) {
+  std::vector<double> list;
   const std::size_t at = column(first);
-  for (const Row& row : rows)
-    for (std::size_t i = at; i < at + 3; ++i) list.push_back(std::isfinite(row.value[i]) ? Json(row.value[i]) : Json());
+  for (const Row& row : motion.rows) list.insert(list.end(), &row.value[at], &row.value[at] + 3);
   return list;
+}
+
+bool all_finite(const std::vector<double>& list) {
+  return std::ranges::all_of(list, [](double number) { return std::isfinite(number); });
 }
 
 void append(Json& list, const Vec3<double>& vector) {
   for (int i = 0; i < 3; ++i) list.push_back(Json::parse(fmt::format("{:.4g}", vector[i])));
 }
 
-/// The torques that the laboratory observer counts, at some of the rows.
+using Torques = std::array<Vec3<double>, 4>;
+constexpr const char* kTorqueNames[] = {"gravity_N_m", "coriolis_N_m", "transverse_N_m", "centrifugal_N_m"};
+
+Torques torques_at(const Model<double>& model, const Row& row) {
+  static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s");
+  const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
+  const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
+  const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B);
+  return {entry.tau_phys_A, entry.tau_cor_A, entry.tau_trans_A, entry.tau_cent_A};
+}
+
+/// The torques that the laboratory observer counts, at some times. Between the rows of a resolved motion that these leave out, they are
+/// means over neighbouring ones, with shares that fall to zero: torques that swing faster than the arrows can tell do not seem to
+/// swing slowly.
 Json torques_of(const Run& run, const Model<double>& model) {
   Json json = {{"t_s", Json::array()},
-               {"gravity_N_m", Json::array()},
-               {"coriolis_N_m", Json::array()},
-               {"transverse_N_m", Json::array()},
-               {"centrifugal_N_m", Json::array()},
-               {"others_applied", run.scene->scenario().effects.applied.any()}};  // the first are then the sum with gravity's
-  const std::size_t stride = std::max<std::size_t>(1, run.rows.size() / kMostArrows), q = column("q_LB_w"),
-                    w = column("w_LB_B_x_rad_s");
-  for (std::size_t i = 0; i < run.rows.size(); i += stride) {
-    const Row& row = run.rows[i];
-    const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
-    const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
-    const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B);
-    json["t_s"].push_back(row.t_s);
-    append(json["gravity_N_m"], entry.tau_phys_A);
-    append(json["coriolis_N_m"], entry.tau_cor_A);
-    append(json["transverse_N_m"], entry.tau_trans_A);
-    append(json["centrifugal_N_m"], entry.tau_cent_A);
+               {"others_applied", run.scene->scenario().effects.applied.any()}};  // then summed with gravity
+  for (const char* name : kTorqueNames) json[name] = Json::array();
+  // A row of means over windows has no attitude: of a window the mean of its torques is taken.
+  const Motion& motion = run.played_is_mean ? run.drawn : run.played;
+  const std::size_t count = motion.rows.size(), a_window = motion.a_window;
+  const std::size_t stride = a_window > 0 ? a_window : std::max<std::size_t>(1, (count + kMostArrows - 1) / kMostArrows);
+  const std::size_t reach = a_window > 0 ? a_window / 2 : motion.is_resolved && stride > 1 ? 2 * stride : 0;
+  std::vector<Torques> all;
+  if (reach > 0)
+    for (const Row& row : motion.rows) all.push_back(torques_at(model, row));
+  for (std::size_t i = a_window / 2; i < count; i += stride) {
+    Torques mean;
+    mean.fill(Vec3<double>(0, 0, 0));
+    double weights = 0;
+    const std::size_t here = std::min({reach, i, count - 1 - i});  // the same on both sides
+    for (std::size_t k = i - here; k <= i + here; ++k) {
+      const double place = (static_cast<double>(k) - static_cast<double>(i)) / (static_cast<double>(here) + 1);
+      const double weight = (1 - place * place) * (1 - place * place);
+      const Torques torques = reach > 0 ? all[k] : torques_at(model, motion.rows[k]);
+      for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += weight * torques[n];
+      weights += weight;
+    }
+    json["t_s"].push_back(Json::parse(fmt::format("{:.6g}", motion.rows[i].t_s)));
+    for (std::size_t n = 0; n < mean.size(); ++n) append(json[kTorqueNames[n]], Vec3<double>(mean[n] / weights));
   }
   return json;
 }
 
 /// How a body turns that is no symmetric top about its axis 3, and the largest rate at which it does: it is drawn as a body.
 void add_attitude(const Run& run, Json& data) {
-  for (const auto& [name, first] : {std::pair{"attitude_LB", column("q_LB_w")}, {"ref_attitude_LB", column("ref_q_LB_w")}}) {
-    data[name] = Json::array();
-    for (const Row& row : run.rows)
-      for (std::size_t i = first; i < first + 4; ++i)
-        data[name].push_back(std::isfinite(row.value[i]) ? Json::parse(fmt::format("{:.6g}", row.value[i])) : Json());
-  }
+  constexpr int kAttitudeBits = 14;
+  if (!run.played_is_mean)
+    for (const auto& [name, first] : {std::pair{"attitude_LB", column("q_LB_w")}, {"ref_attitude_LB", column("ref_q_LB_w")}}) {
+      Json components = Json::array();
+      for (std::size_t i = first; i < first + 4; ++i) {
+        std::vector<double> list;
+        for (const Row& row : run.played.rows) list.push_back(row.value[i]);
+        if (all_finite(list)) components.push_back(packed(list, kAttitudeBits));
+      }
+      if (components.size() == 4) data["packed"]["vectors"][name] = std::move(components);
+    }
   double largest = 0;
   for (const char* first : {"w_LB_B_x_rad_s", "ref_w_LB_B_x_rad_s"})
-    for (const Row& row : run.rows)
+    for (const Row& row : run.drawn.rows)
       largest = std::fmax(largest, Eigen::Map<const Vec3<double>>(&row.value[column(first)]).norm());
   data["rate_rad_s"] = largest;
 }
 
 void add_motion(const Run& run, Page& page) {
   Json& data = page.data();
-  data["t_s"] = Json::array();
-  for (const Row& row : run.rows) data["t_s"].push_back(row.t_s);
-  data["axis_L"] = directions(run.rows, "axis_L_x");
-  data["ref_axis_L"] = directions(run.rows, "ref_axis_L_x");
-  data["spin_rad_s"] = run.rows.empty() ? 0.0 : run.rows.front().value[column("w_LB_B_z_rad_s")];
+  std::vector<double> times_s;
+  for (const Row& row : run.played.rows) times_s.push_back(row.t_s);
+  data["packed"]["times"] = packed_times(times_s);
+  const std::vector<double> axis = directions(run.played, "axis_L_x"), reference = directions(run.played, "ref_axis_L_x");
+  if (all_finite(axis) && all_finite(reference)) data["packed"]["axes"] = packed_axes(axis, reference);
+  data["spin_rad_s"] = run.drawn.rows.empty() ? 0.0 : run.drawn.rows.front().value[column("w_LB_B_z_rad_s")];
   data["earth_rate_L"] = {0, 0, 0};
   data["precession_axis_L"] = {0, 0, 1};
   data["torques"] = nullptr;
@@ -126,12 +159,12 @@ void add_motion(const Run& run, Page& page) {
   if (!run.has_contact) data["torques"] = torques_of(run, model);
 }
 
-/// The largest torque of apparent gravity about the pivot over the displayed rows (N m).
+/// The largest torque of apparent gravity about the pivot over the motion that is drawn (N m).
 double largest_gravity(const Run& run) {
   const Model<double>& model = run.scene->model<double>();
   const std::size_t axis = column("q_LB_w");
   double largest = 0;
-  for (const Row& row : run.rows) {
+  for (const Row& row : run.drawn.rows) {
     const Quaternion<double> q_LB{row.value[axis], Vec3<double>(row.value[axis + 1], row.value[axis + 2], row.value[axis + 3])};
     const Vec3<double> moment_L = Rotation<double>(q_LB) * model.mass_moment_B;
     largest = std::max(largest, moment_L.cross(model.apparent_gravity_L).norm());
@@ -231,7 +264,9 @@ constexpr const char* kAnimation =
 )html";
 
 Run read_run(const std::filesystem::path& directory, const Watch& watch) {
-  Run run{compare::open_comparand(directory, nullptr), std::nullopt, {}, false, {"s", 1}, watch};
+  Run run;
+  run.results = compare::open_comparand(directory, nullptr);
+  run.watch = watch;
   const ScenarioReport report = examine_scenario({"", run.results.summary->value("scenario", Json()).dump(), false});
   run.scene = report.scene;
   const auto rows = run.results.open_rows();
@@ -241,8 +276,9 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
   const auto& measures = compare::trajectory_table().measures;
   run.has_contact = std::all_of(measures.begin(), measures.end(),
                                 [&](const compare::Measure& measure) { return !measure.of_contact || rows->has(measure); });
-  run.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0), watch);
-  if (!run.rows.empty()) run.time = time_unit(run.rows.back().t_s);
+  run.listed.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0), watch);
+  if (!run.listed.rows.empty()) run.time = time_unit(run.listed.rows.back().t_s);
+  see_motion(run);
   return run;
 }
 
@@ -255,16 +291,13 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   page.headline(headline_html(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page);
-  const std::string thinned =
-      run.results.stated_rows.value_or(0) > run.rows.size()
-          ? fmt::format(" Drawn: {} of {} rows, {}.", run.rows.size(), *run.results.stated_rows, kThinningRule)
-          : "";
-  page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page, thinned));
+  const std::string played = "<p>" + escaped(run.played_words) + "</p>\n";
+  page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   if (run.scene) page.section("your-top", "Your top", top_section(run));
   if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
-  page.section("sphere", "Path of the axis", kSphere);
-  page.section("motion", "The top in motion", kAnimation);
+  page.section("sphere", "Path of the axis", kSphere + played);
+  page.section("motion", "The top in motion", kAnimation + played);
   page.section("torques", "Torques", ledger_section(run, page));
   page.section("invariants", "Conserved quantities", invariants_section(run));
   page.section("numerics", "Steps", numerics_section(run));

@@ -2,12 +2,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "earthtop/results/results.hpp"
 #include "results/time_unit.hpp"
+#include "results/turns.hpp"
 
 namespace earthtop {
 namespace {
@@ -32,10 +36,26 @@ const std::vector<DriftRow>& rows_drawn(const RunResult& result) {
 
 Line make_line(const RunResult& result, const char* label, LineColor color, LineStyle style, TimeUnit time) {
   Line line{label, {}, {}, color, style};
+  line.a_column = result.looks.size() > 1 ? result.looks_a_window : 0;
   line.x.reserve(rows_drawn(result).size());
   line.y.reserve(rows_drawn(result).size());
   for (const DriftRow& row : rows_drawn(result)) line.x.push_back(row.t_s * time.per_s);
   return line;
+}
+
+/// Looks are samples of a smooth motion; rows may be too far apart to tell where it turns.
+void turn_smoothly(const RunResult& result, Line& line, std::span<const std::vector<double>> parts = {}) {
+  if (result.looks.size() > 1) move_to_turns(line.x, line.y, parts);
+}
+
+/// The difference of the two axes; it is not exact, but serves to find where they are nearest.
+std::array<std::vector<double>, 3> axes_apart(const RunResult& result) {
+  std::array<std::vector<double>, 3> apart;
+  for (std::size_t k = 0; k < apart.size(); ++k) {
+    apart[k].reserve(result.looks.size());
+    for (const DriftRow& row : result.looks) apart[k].push_back(row.axis_L[k] - row.ref_axis_L[k]);
+  }
+  return apart;
 }
 
 /// The larger of a and |b|, for the range of a picture; b is left out where it is not finite, since it is not drawn either.
@@ -54,6 +74,8 @@ Panel axis_panel(const RunResult& result, TimeUnit time) {
     unreliable.y.push_back(row.drift_reliable ? kNone : angle);
     bound.y.push_back(row.drift_axis_bound_rad * unit.per_rad);
   }
+  const std::array<std::vector<double>, 3> apart = axes_apart(result);
+  for (Line* line : {&drift, &unreliable}) turn_smoothly(result, *line, apart);
   std::vector<Line> lines{std::move(bound), std::move(drift)};
   if (!is_all_reliable(result)) lines.push_back(std::move(unreliable));
   return {{"Angle between the two spin axes", unit.name, AxisScale::logarithmic}, std::move(lines)};
@@ -70,6 +92,7 @@ Panel parts_panel(const RunResult& result, TimeUnit time) {
     azimuth.y.push_back(row.drift_azimuth_rad.value_or(kNone) * unit.per_rad);
     tilt.y.push_back(row.drift_tilt_rad * unit.per_rad);
   }
+  for (Line* line : {&azimuth, &tilt}) turn_smoothly(result, *line);
   std::vector<Line> lines{std::move(azimuth), std::move(tilt)};
   return {{"Drift in azimuth and in tilt", unit.name, AxisScale::linear}, std::move(lines)};
 }

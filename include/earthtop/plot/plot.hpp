@@ -31,7 +31,8 @@ struct Axis {
   AxisScale scale = AxisScale::linear;
 };
 
-/// A line through (x, y). A point that is not finite, or not positive on a logarithmic axis, breaks it.
+/// A line through (x, y). A point that is not finite, or not positive on a logarithmic axis, breaks it. Where a line swings faster than
+/// its picture can show, it is drawn as a band from its least to its largest value, and the legend says so.
 struct Line {
   std::string label;  ///< shown in the legend; no entry if empty
   std::vector<double> x;
@@ -42,6 +43,9 @@ struct Line {
   bool hollow = false;           ///< of the marker
   /// Half lengths of the points' error bars along y; empty: none. One that is not above 0 is not drawn.
   std::vector<double> error = {};
+  /// Number of successive points that belong together, as looks of one window, between which and the next nothing is known: a band has
+  /// a column for each. 0: the points follow one another without gaps.
+  std::size_t a_column = 0;
 };
 
 struct Panel {

@@ -119,7 +119,7 @@ document.documentElement.classList.add("js");
 window.earthtop = { view: kView, frames: 0, fps: 0 };
 startTheme();
 for (const button of document.querySelectorAll("button.copy")) makeCopying(button);
-const kData = JSON.parse(byId("earthtop-data")?.textContent || "{}");
+const kData = unpacked(JSON.parse(byId("earthtop-data")?.textContent || "{}"));
 startCharts(kData.charts ?? {});
 if (kData.kind === "study") startStudy(kData);
 startSphere(kData);

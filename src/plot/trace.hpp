@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What of a line is drawn: its points, or, where it swings faster than pixels can show, a band from its least to its largest value.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "earthtop/plot/plot.hpp"
+#include "plot/mapping.hpp"
+
+namespace earthtop {
+
+/// What the legend adds to the label of a line that shows a band.
+inline constexpr std::string_view kBandWords = " (band: least to most)";
+
+struct PlotPoint {
+  double x = 0, y = 0;  ///< px
+  bool operator==(const PlotPoint&) const = default;
+};
+
+/// A stretch of a line: its points, or the edges of a band, `lower` lying below `upper` in the picture.
+struct Stretch {
+  std::vector<PlotPoint> upper;
+  std::vector<PlotPoint> lower{};  ///< empty for a line
+  bool is_band() const { return !lower.empty(); }
+};
+
+/// The stretches of an unbroken piece of a line, which follow one another.
+using Piece = std::vector<Stretch>;
+
+/// A line with its unbroken pieces.
+struct Trace {
+  std::vector<Piece> pieces;
+  bool shows_band() const;  ///< whether a band in it can be told from a line
+};
+
+/// This is the one place where it is decided what becomes a band: a stretch of some columns in which each swing takes less than one.
+Trace trace_of(const Line& line, const Mapping& x, const Mapping& y);
+
+}  // namespace earthtop
