@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -68,23 +69,6 @@ std::vector<Reach> dense_parts(std::span<const Numbered> piece) {
   return parts;
 }
 
-/// A band over points of a piece. @param column_of  the number of a point's column, ascending
-template <class Column>
-Stretch band_over(std::span<const Numbered> points, const Column& column_of) {
-  Stretch band;
-  for (std::size_t i = 0; i < points.size();) {
-    const auto column = column_of(points[i]);
-    double least = points[i].place.y, most = least, first_x = points[i].place.x, last_x = first_x;
-    for (; i < points.size() && column_of(points[i]) == column; ++i) {
-      least = std::min(least, points[i].place.y), most = std::max(most, points[i].place.y);
-      last_x = points[i].place.x;
-    }
-    const double x = band.upper.empty() ? first_x : i == points.size() ? last_x : (first_x + last_x) / 2;
-    band.upper.push_back({x, least}), band.lower.push_back({x, most});
-  }
-  return band;
-}
-
 /// Leaves out points that lie on the line through those that stay, as far as can be seen (Ramer, Douglas and Peucker).
 void thin_out(std::vector<PlotPoint>& points) {
   const auto size = [](double x, double y) { return std::sqrt(x * x + y * y); };
@@ -116,6 +100,58 @@ void thin_out(std::vector<PlotPoint>& points) {
   points.resize(kept);
 }
 
+/// Least and largest values (px, downward).
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void include(const Span& other) { low = std::min(low, other.low), high = std::max(high, other.high); }
+  bool empty() const { return low > high; }
+};
+
+/// A band between edges with the same places.
+Stretch band_between(std::vector<PlotPoint> upper, std::vector<PlotPoint> lower) {
+  Stretch band;
+  for (std::size_t i = 0; i < upper.size(); ++i) band.height = std::max(band.height, lower[i].y - upper[i].y);
+  thin_out(upper), thin_out(lower);
+  band.upper = std::move(upper), band.lower = std::move(lower);
+  return band;
+}
+
+/// A band over points of a piece. Its corners are half a column apart, and each stands for the columns around it, so that no point lies
+/// outside of the straight edges between two of them.
+Stretch band_over(std::span<const Numbered> points) {
+  const double left = points.front().place.x, width = points.back().place.x - left;
+  const auto halves = static_cast<std::size_t>(std::floor(width / (kColumn / 2)));
+  const double half = width / static_cast<double>(halves);
+  std::vector<Span> spans(halves);
+  for (const auto& [place, number] : points)
+    spans[std::min(static_cast<std::size_t>((place.x - left) / half), halves - 1)].include({place.y, place.y});
+  std::vector<PlotPoint> upper, lower;
+  for (std::size_t k = 0; k <= halves; ++k) {
+    Span span = spans[std::min(k, halves - 1)];
+    if (k > 0) span.include(spans[k - 1]);
+    if (span.empty()) continue;
+    const double x = left + half * static_cast<double>(k);
+    upper.push_back({x, span.low}), lower.push_back({x, span.high});
+  }
+  return band_between(std::move(upper), std::move(lower));
+}
+
+/// A band with a corner for each window of points.
+Stretch band_of_windows(std::span<const Numbered> points, std::size_t a_window) {
+  std::vector<PlotPoint> upper, lower;
+  for (std::size_t i = 0; i < points.size();) {
+    const std::size_t window = points[i].number / a_window, begin = i;
+    Span span;
+    for (; i < points.size() && points[i].number / a_window == window; ++i)
+      span.include({points[i].place.y, points[i].place.y});
+    const double x = begin == 0           ? points.front().place.x
+                     : i == points.size() ? points.back().place.x
+                                          : (points[begin].place.x + points[i - 1].place.x) / 2;
+    upper.push_back({x, span.low}), lower.push_back({x, span.high});
+  }
+  return band_between(std::move(upper), std::move(lower));
+}
+
 /// Points of a line. If many fall into one column of half a pixel, only the first, lowest, highest and last of them are kept, which
 /// give the same picture, and of those on a straight line its ends.
 Stretch line_over(std::span<const Numbered> points) {
@@ -139,20 +175,32 @@ Stretch line_over(std::span<const Numbered> points) {
   return line;
 }
 
+/// A motion that was looked at in windows, between which it is unknown. It swings in each, or is slower. Where it also swings from window
+/// to window too fast to be followed, a dozen of them make a corner.
+Stretch of_windows(std::span<const Numbered> points, std::size_t a_window) {
+  constexpr std::size_t kFollowed = 8, kMany = 12;  // windows in a swing
+  const std::size_t windows = points.size() / a_window;
+  if (2 * turning_points(points).size() < windows || windows < 2) return line_over(points);
+  std::vector<Numbered> means;
+  for (std::size_t i = 0; i < points.size();) {
+    const std::size_t window = points[i].number / a_window, begin = i;
+    double sum = 0;
+    for (; i < points.size() && points[i].number / a_window == window; ++i) sum += points[i].place.y;
+    means.push_back({{points[begin].place.x, sum / static_cast<double>(i - begin)}, begin});
+  }
+  const bool jumps = kFollowed * turning_points(means).size() > 2 * windows;
+  return band_of_windows(points, jumps ? kMany * a_window : a_window);
+}
+
 Piece piece_of(std::span<const Numbered> points, std::size_t a_column) {
+  if (a_column > 0) return {of_windows(points, a_column)};
   const std::vector<Reach> dense = dense_parts(points);
   if (dense.empty()) return {line_over(points)};
-  // Of a motion that was looked at in windows, the line between two of them is unknown.
-  if (a_column > 0) return {band_over(points, [&](const Numbered& point) { return point.number / a_column; })};
   Piece piece;
   std::size_t drawn = 0;  // the last point that is drawn
   for (const Reach& part : dense) {
     if (part.begin > drawn) piece.push_back(line_over(points.subspan(drawn, part.begin - drawn + 1)));
-    const double left = points[part.begin].place.x, width = points[part.end].place.x - left;
-    const double columns = std::floor(width / kColumn);
-    piece.push_back(band_over(points.subspan(part.begin, part.end - part.begin + 1), [&](const Numbered& point) {
-      return std::min(std::floor((point.place.x - left) / width * columns), columns - 1);
-    }));
+    piece.push_back(band_over(points.subspan(part.begin, part.end - part.begin + 1)));
     drawn = part.end;
   }
   if (drawn + 1 < points.size()) piece.push_back(line_over(points.subspan(drawn)));
@@ -162,11 +210,9 @@ Piece piece_of(std::span<const Numbered> points, std::size_t a_column) {
 }  // namespace
 
 bool Trace::shows_band() const {
-  for (const Piece& piece : pieces)
-    for (const Stretch& stretch : piece)
-      for (std::size_t i = 0; i < stretch.lower.size(); ++i)
-        if (stretch.lower[i].y - stretch.upper[i].y >= kSeenBand) return true;
-  return false;
+  return std::ranges::any_of(pieces, [](const Piece& piece) {
+    return std::ranges::any_of(piece, [](const Stretch& s) { return s.height >= kSeenBand; });
+  });
 }
 
 Trace trace_of(const Line& line, const Mapping& x, const Mapping& y) {

@@ -22,6 +22,7 @@ struct PlotPoint {
 struct Stretch {
   std::vector<PlotPoint> upper;
   std::vector<PlotPoint> lower{};  ///< empty for a line
+  double height = 0;               ///< of a band where it is highest (px)
   bool is_band() const { return !lower.empty(); }
 };
 

@@ -10,13 +10,14 @@
 namespace earthtop {
 namespace {
 
-constexpr std::size_t kNodes = 7;  // of the polynomial: with twelve points a period its error is 1e-5 of the swing
+constexpr std::size_t kNodes = 9;  // of the polynomial: with twelve points a period its error is 3e-7 of the swing
 /// What the polynomial cannot tell from zero: a share of the largest of its nodes.
-constexpr double kLeast = 1e-4;
+constexpr double kLeast = 1e-6;
 
 /// The values at which Lagrange's polynomial through points at 0, 1, 2, ... weighs them.
 std::array<double, kNodes> weights_at(double place) {
-  constexpr std::array<double, kNodes> kScales{1.0 / 720, -1.0 / 120, 1.0 / 48, -1.0 / 36, 1.0 / 48, -1.0 / 120, 1.0 / 720};
+  constexpr std::array<double, kNodes> kScales{1.0 / 40320, -1.0 / 5040, 1.0 / 1440,  -1.0 / 720, 1.0 / 576,
+                                               -1.0 / 720,  1.0 / 1440,  -1.0 / 5040, 1.0 / 40320};
   std::array<double, kNodes> weights = kScales;
   double before = 1;
   for (std::size_t k = 0; k < kNodes; ++k) weights[k] *= before, before *= place - static_cast<double>(k);
@@ -57,7 +58,7 @@ std::optional<std::size_t> nodes_around(const std::vector<double>& x, const std:
   constexpr double kEqual = 0.01;  // of a step
   const double step = x[point + 1] - x[point];
   const std::size_t count = std::min(x.size(), y.size());
-  for (const std::size_t before : {3U, 2U, 4U, 1U, 5U}) {
+  for (const std::size_t before : {4U, 3U, 5U, 2U, 6U, 1U, 7U}) {
     if (before > point || point - before + kNodes > count) continue;
     const std::size_t begin = point - before;
     bool fits = true;

@@ -23,9 +23,26 @@ std::vector<double> judgement_times(double duration_s) {
   return times;
 }
 
+/// Returns the number of windows of a long run: enough for twelve in each turn of the precession, or, where it turns too often for that, so
+/// many that successive windows see it at phases in the golden ratio, and any dozen of them all its phases.
+std::size_t windows_of(double turns, std::size_t most) {
+  constexpr std::size_t kFewest = 300;
+  constexpr double kATurn = 12, kGolden = std::numbers::phi - 1;
+  most = std::max(most, kFewest);
+  if (kATurn * turns <= static_cast<double>(most))
+    return std::max(kFewest, static_cast<std::size_t>(std::ceil(kATurn * turns)));
+  std::size_t best = most;
+  double nearest = 1;
+  for (std::size_t windows = most - most / 4; windows <= most; ++windows) {
+    const double step = turns / static_cast<double>(windows - 1), phase = step - std::floor(step);
+    const double away = std::min(std::abs(phase - kGolden), std::abs(phase - (1 - kGolden)));
+    if (away < nearest) nearest = away, best = windows;
+  }
+  return best;
+}
+
 PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequencies>& known) {
   constexpr double kLooksAPeriod = 12, kMostLooks = 24'000;
-  constexpr std::size_t kWindows = 300;
   constexpr double kOfBound = 3;  // the rate is an upper bound: three of its periods are at least one of the motion
   PicturePlan plan;
   const double duration = scene.scenario().duration_s;
@@ -48,10 +65,12 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   plan.looks_a_window = static_cast<std::size_t>(std::ceil(window / step)) + 3;
   plan.step_s = step;
   const double length = step * static_cast<double>(plan.looks_a_window - 1);
-  for (std::size_t w = 0; w < kWindows; ++w)
+  const double turns = known ? duration * std::abs(known->precession_rad_s) / (2 * std::numbers::pi) : 0;
+  const std::size_t windows = windows_of(turns, static_cast<std::size_t>(kMostLooks) / plan.looks_a_window);
+  for (std::size_t w = 0; w < windows; ++w)
     for (std::size_t k = 0; k < plan.looks_a_window; ++k) {
-      const bool ends = w + 1 == kWindows && k + 1 == plan.looks_a_window;
-      const double begin = (duration - length) * (static_cast<double>(w) / static_cast<double>(kWindows - 1));
+      const bool ends = w + 1 == windows && k + 1 == plan.looks_a_window;
+      const double begin = (duration - length) * (static_cast<double>(w) / static_cast<double>(windows - 1));
       plan.times_s.push_back(ends ? duration : begin + step * static_cast<double>(k));
     }
   return plan;

@@ -23,13 +23,14 @@
 #include "report/thinning.hpp"
 #include "results/made_up_run.hpp"
 #include "support/json.hpp"
+#include "support/page_data.hpp"
 #include "support/temporary_directory.hpp"
 
 namespace earthtop {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryDirectory;
+using testing::between, testing::data_of, testing::TemporaryDirectory;
 
 constexpr const char* kHostile = "</title><script>alert(1)</script>\"'&\x07";
 
@@ -41,15 +42,6 @@ Scenario short_top(const std::string& title) {
 }
 
 std::string page_of(const fs::path& what) { return make_report(what).html; }
-
-std::string between(const std::string& text, const std::string& from, const std::string& to) {
-  const std::size_t begin = text.find(from) + from.size();
-  return text.substr(begin, text.find(to, begin) - begin);
-}
-
-nlohmann::json data_of(const std::string& html) {
-  return testing::parse_json(between(html, "<script type=\"application/json\" id=\"earthtop-data\">", "</script>"));
-}
 
 TEST(Report, TheHeadlineIsTheSummarysNumberToItsLastBit) {
   const TemporaryDirectory dir;
@@ -383,8 +375,11 @@ TEST(Report, ThePathOfTheContactPointIsToScale) {
   EXPECT_NEAR(prediction.top - motion.top, 20 * 1.02e-4 / 0.04 * across, 0.01 * across);
   EXPECT_NEAR(motion.left, prediction.left, 0.01 * across);
   const auto data = data_of(html);
-  EXPECT_EQ(data.at("tip").size(), 3 * 201u);
-  EXPECT_EQ(data.at("ref_tip").size(), 3 * 201u);
+  for (const char* name : {"tip", "ref_tip"}) {
+    ASSERT_EQ(data.at("packed").at("vectors").at(name).size(), 3u);
+    for (const auto& component : data.at("packed").at("vectors").at(name))
+      EXPECT_EQ(testing::unpacked_numbers(component).size(), 201u) << name;
+  }
   EXPECT_TRUE(data.at("charts").contains("tip"));
   EXPECT_TRUE(data.at("charts").contains("force"));
 }
@@ -430,7 +425,7 @@ TEST(Report, OfAFixedPivotHasNoTable) {
   const std::string html = page_of(dir.path() / "run");
   EXPECT_EQ(html.find("section-table"), html.npos);
   EXPECT_EQ(html.find("path-rot"), html.npos);
-  EXPECT_FALSE(data_of(html).contains("tip"));
+  EXPECT_FALSE(data_of(html).at("packed").contains("vectors"));
 }
 
 // A path that is a point, and one with holes, make a picture of finite numbers.

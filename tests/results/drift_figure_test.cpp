@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <sstream>
 
 #include "earthtop/results/results.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
 #include "results/made_up_run.hpp"
+#include "results/turns.hpp"
 #include "support/json.hpp"
 #include "text/utf8.hpp"
 
@@ -118,6 +122,134 @@ TEST(Svg, GapsBreakTheLine) {
   EXPECT_EQ(segments(svg(figure_of({1, 3, kNan, 4, 5}))), 2U);
   EXPECT_EQ(pieces(svg(figure_of({1, kNan, 3, std::numeric_limits<double>::infinity(), 5}))), 3U);
   EXPECT_EQ(pieces(svg(figure_of({1, 2, 0, 4, 5}, AxisScale::logarithmic))), 2U);
+}
+
+/// A sine with some swings over the picture, twelve points for each.
+Figure swings(int count, double size = 1, AxisScale scale = AxisScale::linear) {
+  std::vector<double> y;
+  for (int i = 0; i <= 12 * count; ++i) y.push_back(2 + size * std::sin(2 * std::numbers::pi * i / 12));
+  return figure_of(std::move(y), scale);
+}
+std::size_t bands(const std::string& picture) { return count(picture, "class=\"et-band\""); }
+bool legend_names_band(const std::string& picture) { return picture.find("line (band: least to most)") != picture.npos; }
+
+/// The smallest and the largest y of the points of a band (px).
+std::pair<double, double> extent_of_band(const std::string& picture) {
+  const std::size_t end = picture.find("Z\" class=\"et-band\"");
+  std::string path = picture.substr(0, end);
+  path = path.substr(path.rfind("d=\"M") + 4);
+  std::replace(path.begin(), path.end(), 'L', ' ');
+  std::istringstream numbers(path);
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (double x = 0, y = 0; numbers >> x >> y;) low = std::min(low, y), high = std::max(high, y);
+  return {low, high};
+}
+
+// The wide picture has 756 px across: a swing has 15 px for itself, or 1.5.
+TEST(Svg, SwingsTooFastForPixelsAreABand) {
+  for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
+    const std::string few = svg(swings(50, 1, scale)), many = svg(swings(500, 1, scale));
+    EXPECT_EQ(bands(few), 0U);
+    EXPECT_FALSE(legend_names_band(few));
+    EXPECT_EQ(bands(many), 1U);
+    EXPECT_TRUE(legend_names_band(many));
+    EXPECT_LT(many.size(), few.size()) << "straight edges need few points";
+    expect_well_formed(many);
+    // From 1 to 3: the ends of the axis are 1 and 3, or 1 and 10. A second has three px that the sine's samples may miss.
+    const PlotFrame frame = frame_of(swings(500, 1, scale));
+    const auto [top, bottom] = extent_of_band(many);
+    const double high = scale == AxisScale::linear ? frame.top : frame.floor + (frame.top - frame.floor) * std::log10(3.0);
+    constexpr double kRounding = 0.011;  // px: two decimals
+    EXPECT_NEAR(bottom, frame.floor, kRounding);
+    EXPECT_NEAR(top, high, kRounding);
+  }
+}
+
+// Swings that are smaller than a straight line's thickness are no band in words.
+TEST(Svg, SwingsThatCannotBeSeenAreALine) {
+  Figure figure = swings(500, 1e-3);
+  figure.panels[0].lines.push_back({"whole", {0, 6000}, {0, 4}});
+  EXPECT_FALSE(legend_names_band(svg(figure)));
+}
+
+// A value that is no number breaks a band as it breaks a line.
+TEST(Svg, GapsBreakABand) {
+  Figure figure = swings(500);
+  figure.panels[0].lines[0].y[3000] = kNan;
+  EXPECT_EQ(bands(svg(figure)), 2U);
+  figure = swings(500);
+  figure.panels[0].lines[0].style = LineStyle::filled;
+  const std::string filled = svg(figure);
+  EXPECT_EQ(bands(filled), 1U);
+  expect_well_formed(filled);
+}
+
+// A motion that swings fast for a third of the time only is a band there and a line elsewhere.
+TEST(Svg, OnlyTheFastPartIsABand) {
+  std::vector<double> y;
+  for (int i = 0; i < 9000; ++i) y.push_back(std::sin(2 * std::numbers::pi * i / (i > 3000 && i < 6000 ? 12 : 600)));
+  const std::string picture = svg(figure_of(std::move(y)));
+  EXPECT_EQ(bands(picture), 1U);
+  EXPECT_EQ(pieces(picture), 3U);
+}
+
+// Windows are a band's columns: with points that are close together in each, however far apart windows are.
+TEST(Svg, WindowsAreTheColumnsOfABand) {
+  constexpr int kWindows = 100, kEach = 13;
+  Line line{"line", {}, {}};
+  for (int w = 0; w < kWindows; ++w)
+    for (int k = 0; k < kEach; ++k) {
+      line.x.push_back(1000.0 * w + k);
+      line.y.push_back((1 + 0.01 * w) * std::sin(2 * std::numbers::pi * k / 12));
+    }
+  line.a_column = kEach;
+  const Figure figure{"title", "", {"Time", "s"}, {{{"y", "m"}, {line}}}};
+  const std::string picture = svg(figure);
+  EXPECT_EQ(bands(picture), 1U);
+  const std::size_t end = picture.find("Z\" class=\"et-band\""), begin = picture.rfind("d=\"M", end);
+  EXPECT_EQ(count(picture.substr(begin, end - begin), "L") + 1, 4U) << "edges as straight as the growth of the swings";
+}
+
+// A sine's largest value lies between its twelve points a period.
+TEST(Turns, OfASineAreWhereItTurns) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 120; ++i) x.push_back(i), y.push_back(std::sin(2 * std::numbers::pi * (i + 0.37) / 12));
+  move_to_turns(x, y);
+  // The polynomial of nine points errs by 3e-7 of the sine at most.
+  constexpr double kTruncation = 1e-6;
+  std::size_t turns = 0;
+  for (std::size_t i = 8; i + 8 < x.size(); ++i) {
+    if (std::abs(y[i]) < 0.97) continue;
+    const double phase = 2 * std::numbers::pi * (x[i] + 0.37) / 12;
+    EXPECT_NEAR(y[i], std::sin(phase), kTruncation);
+    if (x[i] == static_cast<double>(i)) continue;
+    ++turns;
+    EXPECT_NEAR(std::abs(y[i]), 1, kTruncation);
+  }
+  EXPECT_EQ(turns, 18U);
+}
+
+// The length of a vector that passes near zero is least where no sample is, with a corner that no polynomial through lengths follows.
+TEST(Turns, OfALengthComeFromItsVector) {
+  constexpr double kNearest = 0.002, kTruncation = 1e-6;
+  std::vector<double> x, y;
+  std::array<std::vector<double>, 2> parts;
+  for (int i = 0; i < 60; ++i) {
+    x.push_back(i);
+    parts[0].push_back(std::sin(2 * std::numbers::pi * (i + 0.4) / 12));
+    parts[1].push_back(kNearest);
+    y.push_back(std::hypot(parts[0].back(), kNearest));
+  }
+  move_to_turns(x, y, parts);
+  for (std::size_t i = 5; i < 55; i += 6) EXPECT_NEAR(std::min(y[i], y[i + 1]), kNearest, kTruncation) << i;
+}
+
+// Where the steps are not equal, and at the ends, nothing is known between the points.
+TEST(Turns, OfFewOrUnevenPointsAreThePoints) {
+  std::vector<double> x{0, 1, 2, 4, 8, 16, 32, 64, 128, 256}, y{0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+  const std::vector<double> before = y;
+  move_to_turns(x, y);
+  EXPECT_EQ(y, before);
 }
 
 TEST(Svg, ExtremeNumbersStayInTheFrame) {
