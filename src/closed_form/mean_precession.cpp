@@ -11,15 +11,19 @@
 namespace earthtop {
 namespace {
 
-/// The cubic's roots: the two between which u moves, by their mean and the square of half their distance, and the third.
+/// (du/dt)^2 as a cubic of the distance v from a pole, u = pole (1 - v): the two roots between which v moves, by their mean and the
+/// square of half their distance, and the third. Next to a pole, v and (vertical - axial u) are far smaller than what 1 - u^2 and
+/// the constants are differences of.
 struct Roots {
   double middle, half_squared, third;
+  double pole;     ///< 1 or -1
+  double at_pole;  ///< vertical - axial u at the pole
 };
 
-std::optional<Roots> roots_of(const TopConstants& c) {
+/// The largest root u, which is at least 1. Newton's method comes down to it from above, where the cubic is convex.
+double largest_root(const TopConstants& c) {
   const double square = c.energy + c.axial * c.axial, linear = 2 * c.vertical * c.axial - c.gravity;
   const double constant = c.energy - c.vertical * c.vertical;
-  // Newton's method comes down to the largest root from above, where the cubic is convex.
   double u = 1 + std::max({std::abs(square), std::abs(linear), std::abs(constant)}) / c.gravity;
   for (int i = 0; i < 200; ++i) {
     const double value = ((c.gravity * u - square) * u + linear) * u + constant;
@@ -29,9 +33,27 @@ std::optional<Roots> roots_of(const TopConstants& c) {
     if (!(next < u)) break;
     u = next;
   }
+  return u;
+}
+
+std::optional<Roots> roots_of(const TopConstants& c) {
+  const double u = largest_root(c);
   if (!std::isfinite(u)) return std::nullopt;
-  const double product = -constant / (c.gravity * u), sum = (linear / c.gravity - product) / u;
-  return Roots{sum / 2, sum * sum / 4 - product, u};
+  const double linear = 2 * c.vertical * c.axial - c.gravity, constant = c.energy - c.vertical * c.vertical;
+  const double pole = linear / c.gravity + constant / (c.gravity * u) > 0 ? 1 : -1;  // the sign of the other two roots' sum
+  const double energy = c.energy - pole * c.gravity, at_pole = c.vertical - pole * c.axial;
+  const double cubic = -pole * c.gravity, square = -2 * cubic - energy - c.axial * c.axial;
+  const double slope_at_pole = 2 * energy - 2 * pole * c.axial * at_pole;
+  double third = 1 - pole * u;
+  for (int i = 0; i < 3; ++i) {
+    const double value = ((cubic * third + square) * third + slope_at_pole) * third - at_pole * at_pole;
+    const double slope = (3 * cubic * third + 2 * square) * third + slope_at_pole;
+    const double next = third - value / slope;
+    if (!std::isfinite(next) || (next > 0) != (third > 0)) break;
+    third = next;
+  }
+  const double product = at_pole * at_pole / (cubic * third), sum = (slope_at_pole / cubic - product) / third;
+  return Roots{sum / 2, sum * sum / 4 - product, third, pole, at_pole};
 }
 
 using C = Complex<double>;
@@ -62,12 +84,12 @@ std::optional<MeanRates> mean_rates(const TopConstants& given) {
     double time = 0, azimuth = 0;
     for (int k = 0; k < count; ++k) {
       const double part = half * real::cos(std::numbers::pi * (k + 0.5) / count);
-      const C u = real_roots ? C{roots->middle + part, 0} : C{roots->middle, part};
-      const C speed = root({c.gravity * (roots->third - u.re), -c.gravity * u.im});
-      const C dt = over({1, 0}, speed);
-      const C sine_squared = {1 - (u.re * u.re - u.im * u.im), -2 * u.re * u.im};
+      const C v = real_roots ? C{roots->middle + part, 0} : C{roots->middle, part};
+      const double gravity = roots->pole * c.gravity, axial = roots->pole * c.axial;
+      const C dt = over({1, 0}, root({gravity * (v.re - roots->third), gravity * v.im}));
+      const C sine_squared = {2 * v.re - (v.re * v.re - v.im * v.im), 2 * v.im * (1 - v.re)};
       time += dt.re;
-      azimuth += (over({c.vertical - c.axial * u.re, -c.axial * u.im}, sine_squared) * dt).re;
+      azimuth += (over({roots->at_pole + axial * v.re, axial * v.im}, sine_squared) * dt).re;
     }
     if (!std::isfinite(time) || !(time > 0) || !std::isfinite(azimuth)) return std::nullopt;
     const MeanRates rates{azimuth / time, count / time, count};

@@ -54,6 +54,30 @@ TEST(MeanPrecession, OfASteadyTopIsItsRate) {
   }
 }
 
+// Next to a pole the axis goes in two circles, x + iy = A e^(i a t) + B e^(i b t) with a^2 - (I3 w3/I1) a + m g l/I1 = 0 (below the
+// pivot both signs turn), and its azimuth follows the larger circle. What this leaves out is the square of the distance; the constants
+// of the motion lose to rounding what the distance's square is smaller than 1.
+TEST(MeanPrecession, NextToThePolesIsThatOfTheLargerCircle) {
+  for (const SymmetricTop<double>& top : {kTop, kHanging})
+    for (const double distance : {1e-3, 1e-4, 1e-5})
+      for (const bool below : {false, true}) {
+        const double w3 = 80, pole = below ? -1 : 1, half = top.I3 * w3 / top.I1 / 2 * pole;
+        const double root = std::sqrt(half * half - pole * top.mgl / top.I1);
+        const double slow = half - (half > 0 ? root : -root), fast = half + (half > 0 ? root : -root);
+        const double tilt = below ? std::numbers::pi - distance : distance;
+        const Quaternion<double> q{std::cos(tilt / 2), Vec3<double>(std::sin(tilt / 2), 0, 0)};
+        for (const double part : {0.2, 0.9}) {  // of the fast circle
+          const double rate = (1 - part) * slow + part * fast;
+          const auto rates = mean_rates(top_constants(top, q, Vec3<double>(0, rate * std::sin(tilt), w3)));
+          ASSERT_TRUE(rates) << distance << below;
+          constexpr double kRoundings = 16;
+          const double square = distance * distance, tolerance = square + kRoundings * 0x1p-52 / square;
+          EXPECT_NEAR(rates->precession_rad_s, part < 0.5 ? slow : fast, tolerance * std::abs(fast)) << distance << below;
+          EXPECT_NEAR(rates->nutation_rad_s, 2 * root, tolerance * std::abs(fast)) << distance << below;
+        }
+      }
+}
+
 // There is none on the way to the upright position, which takes for ever, and for a top without torque.
 TEST(MeanPrecession, OfWhichThereIsNone) {
   EXPECT_FALSE(mean_rates(top_constants(kTop, Quaternion<double>(), Vec3<double>(0, 0, 10))));
