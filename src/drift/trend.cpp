@@ -178,7 +178,7 @@ class WindowFit {
 /// Every `factor`-th value of smooth means over `kWidth` times as many; a line stays the same line. Swings too fast for the thinned
 /// values, which would look slow in them, shrink by exp(-2 sqrt(pi kWidth)) or more.
 std::vector<double> thinned(std::span<const double> values, std::size_t factor) {
-  constexpr std::size_t kWidth = 12;
+  constexpr std::size_t kWidth = 32;
   std::vector<double> weights;
   double sum = 0;
   for (std::size_t k = 1; k < kWidth * factor; ++k) {
@@ -215,7 +215,7 @@ constexpr double kOfDistinction = 0.4;
 constexpr double kOfNearness = 4, kNearest = 0.6;
 /// By how much larger the bound is where the frequencies are estimates.
 constexpr double kOfEstimated = 2;
-/// Rounding alone leaves this part of the fits.
+/// Rounding alone leaves this part of the largest drift in the fits.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -268,7 +268,9 @@ TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const
   const double nearness = std::min(std::abs(reference.precession_rad_s / reference.nutation_rad_s), kNearest);
   factor *= 1 + kOfNearness * nearness * nearness;
   if (!reference.exact) factor *= kOfEstimated;
-  return {best.rate, factor * std::sqrt(squares) + kRounding * std::abs(best.rate)};
+  double largest = 0;
+  for (const double value : drift) largest = std::max(largest, std::abs(value - drift[0]));
+  return {best.rate, factor * std::sqrt(squares) + kRounding * largest / duration};
 }
 
 }  // namespace earthtop

@@ -15,15 +15,17 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 /// Returns the leading-order predictions that apply to the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 
-/// A swing of the azimuth drift's rate with the small difference of precession and nutation.
+/// A swing of the azimuth drift's rate that is slower than the run.
 struct SlowSwing {
-  double rate_rad_s = 0;       ///< by how much the rate may swing, to first order; 0: there is no such swing
+  double rate_rad_s = 0;       ///< by how much the rate may swing; infinite where that is not known; 0: there is no such swing
   double frequency_rad_s = 0;  ///< unsigned
+  double unseen = 1;           ///< how far the swing may be beyond what the windows of a fit leave open, as a factor
 };
 
-/// Returns the swing that a run of this duration may take for a trend: where precession and nutation nearly agree, as in fast
-/// precession, the drift swings with their difference, and the run may be shorter than such a swing. There is none for other tops,
-/// and where the body is not symmetric about axis 3.
+/// Returns the swing that a run of this duration may take for a trend. There is one where the precession is nearly a multiple of the
+/// nutation, as in fast precession: the drift swings with the small difference, to first order in the Earth's rate. Where twice the
+/// precession nearly is one, as for a pendulum, whose ellipse turns slowly, it does so to second order. In a body with three moments
+/// it does where twice the spin is nearly the nutation.
 SlowSwing unseen_swing(const Scene& scene, double duration_s);
 
 /// Returns the torque ledger of the motion on the rotating Earth, for the observer that the scenario names; empty without one.

@@ -32,12 +32,48 @@ std::string other_action(const Scene& scene) {
   return "";
 }
 
-/// The step between looks at a top with this period of nutation.
-double step_between_looks(double duration, double least_count, double period) {
-  constexpr double kGolden = std::numbers::phi - 1;
-  const double step = duration / std::clamp(least_count, kAzimuths, kMostAzimuths);
-  if (step < period) return period / (std::ceil(period / step) + kGolden);
-  return period * (std::floor(step / period) + (1 - kGolden));
+/// The time within which the trend is looked for. After some hundred turns the weights of a fit have taken out each swing down to its
+/// rounding, while that of the integration makes the rate worse the longer it lasts. So later turns count only where a sum of a few
+/// precessions and multiples of the nutation is slow.
+double window_that_suffices(const TrendFrequencies& frequencies, double duration) {
+  constexpr double kTurns = 400, kCycles = 10;
+  constexpr int kSums = 4;
+  const double window = kTurns * kWholeTurn / std::abs(frequencies.precession_rad_s);
+  if (!frequencies.exact || !(window < duration)) return duration;
+  for (int k = 1; k <= kSums; ++k) {
+    const double turns = k * frequencies.precession_rad_s / frequencies.nutation_rad_s, slow = turns - std::round(turns);
+    if (std::abs(slow) * frequencies.nutation_rad_s * window < kCycles * kWholeTurn) return duration;
+  }
+  return window;
+}
+
+/// How often the slowest swing that the looks show instead of a fast one goes round within a window, counted the more leniently the
+/// smaller the swing is. The swings are those at multiples of the nutation, alone and with up to twice the precession added or taken
+/// away.
+double cycles_of_slowest_alias(double step, double window, const TrendFrequencies& frequencies) {
+  constexpr int kMultiples = 12, kSums = 2;
+  double slowest = HUGE_VAL;
+  for (int j = 1; j <= kMultiples; ++j)
+    for (int k = -kSums; k <= kSums; ++k) {
+      const double cycles_a_step =
+          std::abs(j * frequencies.nutation_rad_s + k * frequencies.precession_rad_s) * step / kWholeTurn;
+      // The higher the multiple, the smaller is the swing; with twice the precession it is of second order in the Earth's rate.
+      const double smaller = j * (std::abs(k) == kSums ? 4 : 1);
+      if (cycles_a_step > 0.5) slowest = std::min(slowest, smaller * std::abs(cycles_a_step - std::round(cycles_a_step)));
+    }
+  return slowest * window / step;
+}
+
+/// The longest step between looks, about that of the least count of them or shorter, at which every fast swing still looks fast.
+double step_between_looks(double duration, double least_count, const TrendFrequencies& frequencies) {
+  constexpr double kFirst = 1.1, kNext = 0.98, kFast = 100;
+  constexpr int kTried = 80;  // down to a fifth
+  double tried = kFirst * duration / std::clamp(least_count, kAzimuths, kMostAzimuths), best = tried, best_cycles = 0;
+  const double window = window_that_suffices(frequencies, duration);
+  for (int i = 0; i < kTried && best_cycles < kFast; ++i, tried *= kNext)
+    if (const double cycles = cycles_of_slowest_alias(tried, window, frequencies); cycles > best_cycles)
+      best = tried, best_cycles = cycles;
+  return best;
 }
 
 std::vector<double> times_in_steps(double duration, double step) {
@@ -73,23 +109,25 @@ bool azimuths_tell(std::span<const AzimuthSample> azimuths) {
   return widest < 2 * ref_widest && ref_widest < 2 * widest;
 }
 
-/// The bound on the azimuth drift at the last look until a time.
-double azimuth_bound(const RunResult& result, double until) {
+/// The bound on the azimuth drift over the time that it had to grow, from the first look at the end of a window or later, and none later
+/// than the last that is reliable.
+double azimuth_bound_a_second(const RunResult& result, double window_end, double reliable_until) {
   double bound = 0;
   for (const DriftRow& row : result.looks) {
-    if (row.t_s > until) break;
-    if (row.drift_azimuth_rad && horizontal(row) > 0) bound = row.drift_axis_bound_rad / horizontal(row);
+    if (row.t_s > reliable_until) break;
+    if (row.drift_azimuth_rad && horizontal(row) > 0 && row.t_s > 0) bound = row.drift_axis_bound_rad / horizontal(row) / row.t_s;
+    if (row.t_s >= window_end) break;
   }
   return bound;
 }
 
 /// A swing slower than the run adds this to the bound of the rate. A window shifted by a part of such a swing's period sees another
 /// slope by about that part of the swing's rate, so that the fit's own bound, which windows have told, over the part of a period that
-/// the run sees bounds the swing where its first-order size is pessimistic.
+/// the run sees bounds the swing where its expected size is pessimistic or not known.
 double bound_of_slow_swing(const SlowSwing& swing, double duration, double bound_of_fit) {
   if (!(swing.rate_rad_s > 0)) return 0;
   const double seen = swing.frequency_rad_s * duration / kWholeTurn;
-  return std::min(swing.rate_rad_s, bound_of_fit / seen);
+  return std::min(swing.rate_rad_s, swing.unseen * bound_of_fit / seen);
 }
 
 /// The mean of a motion on which more than gravity and the Earth's rotation acts, over the looks until the drift is no longer reliable.
@@ -102,7 +140,7 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
   }
   trend.window_s = {0, last->t_s};
   trend.azimuth_rate_rad_s = *last->drift_azimuth_rad / last->t_s;
-  trend.azimuth_rate_bound_95_rad_s = azimuth_bound(result, last->t_s) / last->t_s;
+  trend.azimuth_rate_bound_95_rad_s = azimuth_bound_a_second(result, last->t_s, last->t_s);
   trend.of_window = true;
 }
 
@@ -131,8 +169,11 @@ TrendPlan plan_trend(const Scene& scene) {
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
     const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
+    const double least_count = std::max(turns * kAzimuthsAPrecession, of_nutation);
+    // Where these are too many, the rest of the run is not looked at.
+    const double looked_at = least_count > kMostAzimuths ? window_that_suffices(*plan.frequencies, duration) : duration;
     plan.times_s =
-        times_in_steps(duration, step_between_looks(duration, std::max(turns * kAzimuthsAPrecession, of_nutation), period));
+        times_in_steps(looked_at, step_between_looks(looked_at, least_count * looked_at / duration, *plan.frequencies));
     return plan;
   }
   constexpr double kAzimuthsATurn = 3.3;
@@ -177,7 +218,6 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   if (!azimuths_tell(azimuths)) return trend;
 
   const double step = plan.times_s[1];
-  trend.window_s = {0, plan.times_s[count - 1]};
   TrendFrequencies frequencies;
   if (plan.frequencies) {
     frequencies = *plan.frequencies;
@@ -188,13 +228,16 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     frequencies.nutation_rad_s = std::abs(body.I_BP_B(2, 2) * result.modelled.release<double>().w_XB_B[2]) /
                                  (0.5 * (body.I_BP_B(0, 0) + body.I_BP_B(1, 1)));
   }
+  const auto sufficient = static_cast<std::size_t>(window_that_suffices(frequencies, plan.times_s[count - 1]) / step) + 1;
+  const std::span<const AzimuthSample> fitted = azimuths.first(std::min(count, sufficient));
+  trend.window_s = {0, plan.times_s[fitted.size() - 1]};
   const double turns = std::abs(frequencies.precession_rad_s) * trend.window_s[1] / kWholeTurn;
   constexpr double kAlmostOne = 0.99;  // the looks of a run of just one turn may end a little earlier
   if (turns < kAlmostOne) return under_one_turn(turns);
   trend.turns_seen = turns;
   std::vector<double> drift;
-  drift.reserve(count);
-  for (const AzimuthSample& look : azimuths) drift.push_back(look.drift_rad);
+  drift.reserve(fitted.size());
+  for (const AzimuthSample& look : fitted) drift.push_back(look.drift_rad);
   const TrendEstimate estimate = estimate_trend(drift, step, frequencies);
   trend.reason = "the swings cannot be told apart from a trend";
   if (!std::isfinite(estimate.bound_rad_s)) return trend;
@@ -204,7 +247,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   trend.azimuth_rate_bound_95_rad_s =
       estimate.bound_rad_s +
       bound_of_slow_swing(unseen_swing(result.modelled, trend.window_s[1]), trend.window_s[1], estimate.bound_rad_s) +
-      2 * azimuth_bound(result, until) / trend.window_s[1];
+      2 * azimuth_bound_a_second(result, trend.window_s[1], until);
   return trend;
 }
 
