@@ -25,7 +25,7 @@ constexpr double kBeforeFrictionStops = 0.9;
 /// Returns how long the motion is followed (s): to its end, up to a limit of cost, or to shortly before dry friction stops it.
 double followed_time(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  const double damping_rate = scene.pace().damping / scenario.duration_s;
+  const double damping_rate = scene.pace_by_rule().damping / scenario.duration_s;
   double time_s = std::min(scenario.duration_s, kFollowedPhase / std::max(scene.fastest_rate_rad_s(), damping_rate));
   if (const double coulomb = scenario.effects.applied.coulomb_N_m; coulomb > 0) {
     const double momentum = norm(Vec3<double>(times(scene.body<double>().I_BP_B, scene.release<double>().w_XB_B)));

@@ -24,7 +24,7 @@ constexpr double kShare = 0.2;  // largest share of the requested accuracy that 
 
 /// Returns the share of the duration that has to be followed; empty if the motion is too long to follow.
 std::optional<double> followed_share(const Scene& scene) {
-  const double phase = std::max(scene.fastest_rate_rad_s() * scene.scenario().duration_s, scene.pace().damping);
+  const double phase = std::max(scene.fastest_rate_rad_s() * scene.scenario().duration_s, scene.pace_by_rule().damping);
   const bool regular = is_regular(scene.problem<double>());
   if (!regular && phase > kLongestPhase) return std::nullopt;
   return regular ? std::min(1.0, kRegularPhase / phase) : 1;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drift/contact_bundle.hpp"
+#include "drift/contact_stop_integration.hpp"
 #include "integrate/taylor/stabilised_taylor.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
@@ -86,11 +87,23 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
   return found;
 }
 
+/// Whether the top rolls from its release on, as under exact dry friction without a slip.
+bool rolls_from_release(const DriftProblem<double>& problem) {
+  const TableProblem<double>& table = *problem.table;
+  return has_exact_coulomb(table.contact) && !slips_at_release(ContactReducedDrift<double, Observer::laboratory>(
+                                                 problem.model, table.contact, table.start, problem.release, problem.units));
+}
+
 }  // namespace
 
 ContactDerivatives contact_derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes,
                                        double at_s, double relative_tolerance, const Watch& watch) {
   if (changes.empty()) return {true, {}, {}};
+  if (rolls_from_release(problem)) {
+    DriftProblem<double> rolling = problem;
+    rolling.table->contact.law = ContactLaw::rolling;
+    return contact_derivatives(rolling, changes, at_s, relative_tolerance, watch);
+  }
   return is_symmetric(problem.table->contact)
              ? derivatives<ContactReducedDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance, watch)
              : derivatives<ContactGeneralDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance,

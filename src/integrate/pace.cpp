@@ -32,6 +32,10 @@ constexpr double kLook = 1.5;
 
 constexpr double kStepsAHalt = 20;
 
+Work times(const Work& work, const WorkRatio& ratio) {
+  return {work.steps * ratio.steps, work.evaluations * ratio.evaluations};
+}
+
 }  // namespace
 
 double damping_steps(const Pace& pace, const IntegrationOptions& options) {
@@ -66,7 +70,7 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
   const bool ends_at_rows = ends_steps_at_rows(options.method);
   if (ends_at_rows) steps = std::max(steps, pace.rows);
   const double looks = pace.rows + (ends_at_rows ? 0 : pace.judgement_looks);
-  return {steps, evaluations + looks * cost.evaluations_a_row};
+  return times({steps, evaluations + looks * cost.evaluations_a_row}, pace.seen[static_cast<std::size_t>(options.method)]);
 }
 
 Work variational_work(const Pace& pace, double time_s, double relative_tolerance) {
@@ -75,7 +79,7 @@ Work variational_work(const Pace& pace, double time_s, double relative_tolerance
   const double steps = part * (pace.turning_rad / radians_a_step(cost, relative_tolerance) +
                                (pace.damping + pace.undamped_rest_rad) / cost.stable_phase) +
                        kStepsAHalt * pace.halts;
-  return {steps, steps * evaluations_a_step(cost, relative_tolerance)};
+  return times({steps, steps * evaluations_a_step(cost, relative_tolerance)}, pace.variations_seen);
 }
 
 WorkLimit work_limit_for(const Work& estimate, double least_evaluations) {

@@ -35,6 +35,13 @@ struct Paced {
   StiffFriction stiffest;
 };
 Paced paced(const Scene& scene);
+// stretches.cpp: the same for a body in a gimbal or on a platform, whose steps no rate at release tells: stretches of the motion are
+// integrated, by the methods of the run, and the pace says how many steps they took against what the rule finds.
+bool is_carried(const Scene& scene);
+Pace pace_as_seen(const Scene& scene);
+/// Returns whether a carried scene is so short that looking at it would take a large part of a run, and that the limit of a run's
+/// work is far above it in any case.
+bool is_too_short_to_look(const Scene& scene);
 // contact_pace.cpp: the same for a top on a table, about its centre of mass; and the rate at which it falls from upright (rad/s).
 double falling_rate_on_table(const Scene& scene);
 double fastest_rate_on_table(const Scene& scene);

@@ -16,9 +16,11 @@ namespace {
 /// Returns the work of following the growth of disturbances along both motions, which a run's verdict needs.
 Work work_of_verdict(const Scene& scene) {
   if (scene.scenario().contact) return {};  // the variational equations are those of a body on a fixed pivot
-  const auto tolerance = growth_tolerance(scene.problem<double>(), scene.scenario().duration_s);
+  MotionProblem<double> problem = scene.problem<double>();
+  const auto tolerance = growth_tolerance(problem, scene.scenario().duration_s);
   if (!tolerance) return {};
-  const Work work = growth_work(scene.problem<double>(), scene.scenario().duration_s, *tolerance);
+  problem.pace = scene.pace();
+  const Work work = growth_work(problem, scene.scenario().duration_s, *tolerance);
   const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
   const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
   return {motions * share * work.steps, motions * share * work.evaluations};
@@ -72,6 +74,7 @@ std::string about_seconds(double seconds) {
 }
 
 void refuse_unaffordable(const Scene& scene) {
+  if (is_too_short_to_look(scene)) return;
   // A motion that turns has to be followed; a motion that friction merely holds still does not justify hours of computing.
   constexpr double kStiffDays = 1.0 / 24, kNearlyAll = 0.9;
   const Scenario& scenario = scene.scenario();
@@ -80,7 +83,7 @@ void refuse_unaffordable(const Scene& scene) {
   const auto limit = static_cast<double>(scenario.numerics.step_limit);
   const bool within = first <= limit && second <= std::max(limit, static_cast<double>(IntegrationOptions{}.step_limit));
   const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal || scenario.contact;
-  const bool stiff = friction && !options.step_s && damping_steps(scene.pace(), options) > kNearlyAll * first;
+  const bool stiff = friction && !options.step_s && damping_steps(scene.pace_by_rule(), options) > kNearlyAll * first;
   if (within && !stiff && scenario.precision == Precision::bits53) return;
 
   const double steps = std::min(std::max(first, second), 1e300);

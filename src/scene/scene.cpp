@@ -45,6 +45,7 @@ struct Scene::Parts {
   Once<PlatformDemand> platform_demand;
   Once<double> fastest_rate;
   Once<Paced> paced;
+  Once<Pace> pace;
   Once<ExactKind> closed_form_kind;
   std::array<Once<std::optional<std::string>>, kMethodCount> refusals;
   Once<MethodChoice> choice;
@@ -135,8 +136,11 @@ const PlatformDemand& Scene::platform_demand() const {
 double Scene::fastest_rate_rad_s() const {
   return parts_->fastest_rate.get([this] { return fastest_rate_of(*this); });
 }
-const Pace& Scene::pace() const {
+const Pace& Scene::pace_by_rule() const {
   return parts_->paced.get([this] { return paced(*this); }).pace;
+}
+const Pace& Scene::pace() const {
+  return is_carried(*this) ? parts_->pace.get([this] { return pace_as_seen(*this); }) : pace_by_rule();
 }
 const StiffFriction& Scene::stiffest_friction() const {
   return parts_->paced.get([this] { return paced(*this); }).stiffest;

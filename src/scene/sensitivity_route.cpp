@@ -59,7 +59,7 @@ Phases phases_until(const Scene& scene, double time_s) {
   const double torque = scene.gravity_torque_N_m(scene.platform_demand().acceleration_m_s2);
   const double pendulum = std::sqrt(torque / inertia.trace() * 3);
   const double precession = torque > 0 ? std::min(pendulum, torque / std::max(momentum, 1e-300)) : 0;
-  const double damping = scene.pace().damping / scene.scenario().duration_s;
+  const double damping = scene.pace_by_rule().damping / scene.scenario().duration_s;
   const double slow = std::max({precession, scene.platform_demand().rate_rad_s, std::min(damping, pendulum)});
   return {slow * time_s, std::max(slow, scene.fastest_rate_rad_s()) * time_s};
 }

@@ -97,6 +97,100 @@ void by_long_horizon(Scenario& s, Random& random) {
   if (!Scene(s).method_refusal(Method::long_horizon)) s.numerics.method = Method::long_horizon;
 }
 
+/// A body for a carried scene: symmetric or not, with its centre of mass on axis 3, off it, or in the pivot.
+void any_body(Scenario& s, Random& random) {
+  const double size = random.log_uniform(1e-5, 1e-3), l = random.log_uniform(0.003, 0.05), kind = random.uniform(0, 1);
+  const double across = size * random.uniform(0.1, 1), other = kind < 0.4 ? across : size * random.uniform(0.1, 1);
+  const double along = size * random.uniform(0.05, 1);
+  s.body = {};
+  s.body.mass_kg = random.log_uniform(0.02, 2);
+  set_principal(s.body, other + along, across + along, across + other);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  const double place = random.uniform(0, 1);
+  if (place < 0.4) s.body.center_of_mass_m = {0, 0, random.sign() * l};
+  if (place > 0.6) s.body.center_of_mass_m = {l * random.uniform(-1, 1), l * random.uniform(-1, 1), l * random.uniform(-1, 1)};
+}
+/// Friction of any kind in half of the scenes, from hardly any to what brings the motion to rest many times over.
+void any_friction(Scenario& s, Random& random) {
+  const double kind = random.uniform(0, 1), times = random.log_uniform(1e-2, 30);
+  if (kind > 0.5) return;
+  const double I = least_moment(s);
+  if (kind < 0.25)
+    s.effects.applied.viscous_N_m_s = times * I / s.duration_s;
+  else if (kind < 0.4)
+    s.effects.applied.quadratic_N_m_s2 = times * I / (s.duration_s * std::max(release_rate(s), 1.0));
+  else
+    s.effects.applied.air_drag = AirDragSpec{random.log_uniform(0.01, 0.1)};
+}
+/// How far a scene turns by its fastest rate (rad): from short to long.
+double phase(Random& random) { return random.log_uniform(30, 2e4); }
+
+/// Any body in a gimbal, fast or slow, with its axis at rest or turning about Up, at any latitude, damped or not.
+void body_in_gimbal(Scenario& s, Random& random) {
+  any_body(s, random);
+  s.site = random_site(random);
+  s.release = {};
+  s.release.tilt_deg = 90;
+  s.release.azimuth_deg = random.uniform(-180, 180);
+  s.release.spin_angle_deg = random.uniform(-180, 180);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(1, 3e3);
+  if (random.coin()) s.release.precession = Precession::given, s.release.precession_rate_rad_s = random.log_uniform(0.01, 30);
+  s.effects = {};
+  s.effects.applied.gimbal = GimbalSpec{};
+  s.duration_s = 1;
+  s.duration_s = phase(random) / Scene(s).fastest_rate_rad_s();
+  if (random.coin()) s.effects.applied.gimbal->damping_N_m_s = random.log_uniform(1e-2, 30) * least_moment(s) / s.duration_s;
+  any_friction(s, random);
+  s.output_step_s = s.duration_s / 12;
+}
+/// Any body on a platform, fast or slow against it, with its pivot on the axis or off it.
+void body_on_platform(Scenario& s, Random& random) {
+  any_body(s, random);
+  s.site = random_site(random);
+  s.release = {};
+  s.release.tilt_deg = random.uniform(1, 179);
+  s.release.azimuth_deg = random.uniform(-180, 180);
+  const double spin = random.log_uniform(1, 3e3);
+  if (random.coin())
+    s.release.spin_rad_s = random.sign() * spin;
+  else
+    s.release.angular_velocity_body_rad_s = {spin * random.uniform(-1, 1), spin * random.uniform(-1, 1),
+                                             spin * random.uniform(-1, 1)};
+  s.release.rates_relative_to = random.coin() ? RatesRelativeTo::laboratory : RatesRelativeTo::inertial;
+  s.effects = {};
+  s.platform.reset();
+  s.duration_s = 1;
+  const double body_rate = Scene(s).fastest_rate_rad_s(), radians = phase(random);
+  s.duration_s = radians / body_rate;
+  PlatformSpec p;
+  constexpr std::array kMotions{PlatformMotion::constant, PlatformMotion::ramp, PlatformMotion::harmonic,
+                                PlatformMotion::table};
+  p.motion = kMotions[static_cast<std::size_t>(random.uniform(0, 4))];
+  p.axis = {random.uniform(-1, 1), random.uniform(-1, 1), 1};
+  const double rate = std::min(30.0, body_rate * random.log_uniform(1e-3, 1));
+  p.rate_rad_s = p.motion == PlatformMotion::constant || p.motion == PlatformMotion::ramp ? random.sign() * rate : 0;
+  if (p.motion == PlatformMotion::ramp)
+    p.rate_rad_s *= random.uniform(0, 1), p.acceleration_rad_s2 = random.sign() * rate / s.duration_s;
+  if (p.motion == PlatformMotion::harmonic)
+    p.frequency_hz = rate / 6, p.amplitude_rad = random.log_uniform(1e-3, 1), p.phase_deg = random.uniform(0, 360);
+  if (p.motion == PlatformMotion::table) {
+    auto table = std::make_shared<AngleTable>();
+    const int rows = 5 + static_cast<int>(random.uniform(0, 60));
+    double angle = 0;
+    for (int i = 0; i < rows; ++i) {
+      table->t_s.push_back(s.duration_s * i / (rows - 1.0));
+      table->angle_rad.push_back(angle);
+      angle += rate * s.duration_s / rows * random.uniform(-1, 1);
+    }
+    p.table = table;
+  }
+  if (random.uniform(0, 1) < 0.8)
+    p.pivot_offset_m = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)};
+  s.platform = p;
+  any_friction(s, random);
+  s.output_step_s = s.duration_s / 12;
+}
+
 constexpr WorkKind kKinds[] = {
     {"plain", nothing},
     {"viscous", viscous},
@@ -124,6 +218,8 @@ constexpr WorkKind kKinds[] = {
     {"float128", in_float128},
     {"long double", in_long_double},
     {"long_horizon", by_long_horizon},
+    {"body in gimbal", body_in_gimbal},
+    {"body on platform", body_on_platform},
 };
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -17,9 +17,10 @@ namespace {
 using namespace earthtop;
 using namespace earthtop::testing;
 
+/// Steps estimated and taken, and their ratio; the ratio of the evaluations.
 std::string cell(const Work& promised, const Work& used) {
-  if (used.evaluations == 0) return fmt::format("{:>9.2g}{:>9}{:>6}", promised.evaluations, "-", "-");
-  return fmt::format("{:>9.2g}{:>9.2g}{:>6.2g}", promised.evaluations, used.evaluations,
+  if (used.evaluations == 0) return fmt::format("{:>9.2g}{:>9}{:>6}{:>6}", promised.steps, "-", "-", "-");
+  return fmt::format("{:>9.2g}{:>9.2g}{:>6.2f}{:>6.2f}", promised.steps, used.steps, used.steps / promised.steps,
                      used.evaluations / promised.evaluations);
 }
 

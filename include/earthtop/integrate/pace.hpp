@@ -4,11 +4,18 @@
 /// evaluations of the right-hand side, so that every machine finds the same.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "earthtop/integrate/options.hpp"
 
 namespace earthtop {
+
+/// How many times the work that a rule finds an integration takes.
+struct WorkRatio {
+  double steps = 1;
+  double evaluations = 1;
+};
 
 /// The properties of a scene that decide the number of steps over its whole duration.
 struct Pace {
@@ -26,6 +33,10 @@ struct Pace {
   double watched_angle_rad = 0;  ///< largest angle that the watched angles turn through
   double damping = 0;            ///< time integral of the fastest rate at which friction damps a motion (dimensionless)
   double halts = 0;              ///< how often a motion stops or reverses, so that its friction jumps
+  /// The work of stretches of the motion that were integrated to see it, against the rule's, by method and for the variational
+  /// equations; 1 where nothing was looked at.
+  std::array<WorkRatio, kMethodCount> seen = {};
+  WorkRatio variations_seen = {};
   bool known() const { return duration_s > 0; }
 };
 

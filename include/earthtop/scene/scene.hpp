@@ -127,6 +127,9 @@ class Scene {
   const PlatformDemand& platform_demand() const;
   /// Returns a rough upper bound (rad/s) on the rates of free nutation, pendulum, spin, Earth and platform.
   double fastest_rate_rad_s() const;
+  /// Returns the properties that decide the work, as a rule finds them from body, release and effects; and the same for a body in a
+  /// gimbal or on a platform after stretches of its motion were integrated, by the methods of the run, to see their steps.
+  const Pace& pace_by_rule() const;
   const Pace& pace() const;
   const StiffFriction& stiffest_friction() const;
   double rows() const { return scenario().duration_s / scenario().output_step_s; }
