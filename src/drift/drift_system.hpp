@@ -196,10 +196,25 @@ class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
     Motion<T> rotating = drift_state::load_motion(x, drift_state::kRotating);
     Deviation<T> deviation = drift_state::load_deviation(x);
     const T epsilon = model_.epsilon;
+    const Vec3<T> w_ref_B = reference.m;
     const bool reference_stops = rest_.comes(Prediction::reference, model_, t, reference.q, reference.m);
     const Vec3<T> W_B = transposed_times(rotation_matrix(rotating.q), model_.W_IL_L);
     const bool rotating_stops = rest_.comes(Prediction::rotating, model_, t, rotating.q, Vec3<T>(rotating.m - W_B));
     if (!reference_stops && !rotating_stops) return;
+    // A motion that is held before its stop misses half its rate times the time left. Of one motion that is nothing, but of the
+    // drift, which is the difference of the two, it may be as large a share as the time left is of the time behind.
+    Vec3<T> turn_scaled;
+    if (reference_stops && rotating_stops) {
+      const Vec3<T> Dw_scaled = times(model_.I_BP_B_inverse, deviation.p) - earth_rate_scaled(shared_state(x, t));
+      const T square = w_ref_B.dot(w_ref_B);
+      turn_scaled = Dw_scaled;  // and the time left is longer by that share by which the rate is larger
+      if (square > T(0)) turn_scaled += (w_ref_B.dot(Dw_scaled) / square) * w_ref_B;
+      turn_scaled *= rest_.time_left(Prediction::reference, t) / T(2);
+    } else if (reference_stops) {
+      turn_scaled = -rest_.time_left(Prediction::reference, t) / (T(2) * epsilon) * w_ref_B;
+    } else {
+      turn_scaled = rest_.time_left(Prediction::rotating, t) / (T(2) * epsilon) * Vec3<T>(rotating.m - W_B);
+    }
     if (reference_stops) {
       deviation.p += times<T>(model_.I_BP_B, reference.m / epsilon);  // the rotating motion's rate stays as it is
       reference.m = Vec3<T>::Zero();
@@ -208,6 +223,9 @@ class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
       deviation.p = times<T>(model_.I_BP_B, earth_rate_scaled(shared_state(x, t)) - reference.m / epsilon);
       rotating.m = W_B;
     }
+    const Vec3<T> y = deviation.y;
+    deviation.y += (deviation.w * turn_scaled + epsilon * y.cross(turn_scaled)) / T(2);
+    deviation.w -= epsilon * epsilon * y.dot(turn_scaled) / T(2);
     drift_state::store_motion(reference, x, drift_state::kReference);
     drift_state::store_motion(rotating, x, drift_state::kRotating);
     drift_state::store_deviation(deviation, x);

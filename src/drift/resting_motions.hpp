@@ -14,9 +14,10 @@
 
 namespace earthtop {
 
-/// A motion is taken to be at rest as soon as dry friction is stronger than all other torques and will stop it within 1e-8 of
-/// the time since the release: the angle that it would still turn through is then 1e-16 of the angle behind it. Steps do come
-/// that near, as each is limited to a part of the way that is left. The exact time of the stop is found beside the integration.
+/// A motion is taken to be at rest as soon as dry friction is stronger than all other torques and will stop it within eps^(2/3) of
+/// the time since the release, 4e-11 in double: the angle that it would still turn through is then eps^(4/3) of the angle behind it,
+/// less than a drift of 1e-5 rad rounds. Steps do come that near, as each is limited to a part of the way that is left. The exact
+/// time of the stop is found beside the integration.
 template <class T>
 class RestingMotions {
  public:
@@ -28,6 +29,11 @@ class RestingMotions {
   bool any() const { return rests_[0] || rests_[1]; }
   bool rests(Prediction prediction) const { return rests_[index(prediction)]; }
   const std::vector<Stop>& stops() const { return stops_; }
+  /// The time from t to the stop of a motion that has come to rest; 0 if it has none.
+  T time_left(Prediction prediction, T t) const {
+    const auto stop = std::ranges::find(stops_, prediction, &Stop::prediction);
+    return stop != stops_.end() ? std::max(T(0), T(stop->t - t)) : T(0);
+  }
 
   /// The longest step that does not go beyond the point where the motion comes to rest or reverses. There the friction has a
   /// corner, which the estimate of a step's error may miss. There is no limit (infinity) for a motion at rest, which either
@@ -63,7 +69,8 @@ class RestingMotions {
   }
   /// The time before a stop from which a motion is taken to rest: a part of the time since the release or, where that is
   /// tiny, a few of the shortest steps.
-  static T near(T t) { return std::max(T(1e-8) * t, T(64) * least_step<T>()); }
+  static T near(T t) { return std::max(kShare * t, T(64) * least_step<T>()); }
+  inline static const T kShare = real::pow(real::epsilon<T>(), T(2) / T(3));
 
   /// d(w_LB)/dt at a given attitude.
   static Vec3<T> slowing(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {

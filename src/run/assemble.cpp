@@ -158,11 +158,12 @@ void plan_first(const Scene& scene, bool between, TwoIntegrations<T>& made, Drif
 }
 
 template <class T>
-void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, std::optional<double> nudge_units) {
+void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, const IntegrationOptions& first,
+                 std::optional<double> nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
   problem.times_s = looks.compared(std::max<std::size_t>(1, count)).times_s;
-  nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)));
+  nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)), nudged_for(problem, first));
 }
 
 template <class T>
@@ -281,11 +282,11 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
   return result;
 }
 
-#define EARTHTOP_ASSEMBLE(T)                                                                                      \
-  template void plan_first(const Scene&, bool, TwoIntegrations<T>&, DriftProblem<T>&);                            \
-  template void make_second(DriftProblem<T>&, const Looks&, std::size_t, std::optional<double>);                  \
-  template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision, \
-                         IntegrationReport&);                                                                     \
+#define EARTHTOP_ASSEMBLE(T)                                                                                                \
+  template void plan_first(const Scene&, bool, TwoIntegrations<T>&, DriftProblem<T>&);                                      \
+  template void make_second(DriftProblem<T>&, const Looks&, std::size_t, const IntegrationOptions&, std::optional<double>); \
+  template void describe(const DriftProblem<T>&, const IntegrationOptions&, const DriftTrajectory<T>&, Precision,           \
+                         IntegrationReport&);                                                                               \
   template RunResult assemble_result(const Scene&, TwoIntegrations<T>, const RunSeconds&, Parts, const RunOptions&);
 EARTHTOP_ASSEMBLE(double)
 EARTHTOP_ASSEMBLE(long double)

@@ -27,10 +27,11 @@ void plan_first(const Scene& scene, bool between, TwoIntegrations<T>& made, Drif
 
 /// Turns the first integration's problem into that of the second one: nudged, with those looks alone that are compared, and ending
 /// where the first one ended.
-/// @param count  of the looks that the first integration has taken   @param nudge_units  size of the nudge (units in the last place);
-/// as drift_bound.hpp has it if not given
+/// @param count  of the looks that the first integration has taken   @param first  the options of that integration
+/// @param nudge_units  size of the nudge (units in the last place); as drift_bound.hpp has it if not given
 template <class T>
-void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, std::optional<double> nudge_units = {});
+void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count, const IntegrationOptions& first,
+                 std::optional<double> nudge_units = {});
 
 /// Fills a report except for its reason and its time.
 template <class T>

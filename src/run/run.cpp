@@ -47,7 +47,7 @@ class SecondBeside {
     // long_horizon checks itself with the steps that the first integration has found.
     if (run.jobs < 2 || (first.method == second.method && first.method == Method::long_horizon)) return;
     DriftProblem<T> problem = rows;
-    make_second(problem, looks, looks.size());
+    make_second(problem, looks, looks.size(), first);
     const Watch watch = run.watch.with_progress(nullptr);  // only one thread may report
     try {
       made_ = std::async(std::launch::async, [problem = std::move(problem), second, watch, &scene] {
@@ -98,11 +98,14 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   if (!beside.take(made.first, made.looks.size(), made.second, made.certificate)) {
     // Where an event has ended the first integration, the second goes on until it finds the event as well.
     const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });
-    make_second(problem, made.looks, made.first.samples.size() + (ended ? 1 : 0));
+    make_second(problem, made.looks, made.first.samples.size() + (ended ? 1 : 0), made.options);
     if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
     made.other_options = within_estimate(scene, made.other_options);
     made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);
   }
+  // What long_horizon states is what a second integration by itself would not see. A series sees all of it.
+  if (made.options.method == Method::long_horizon && made.other_options.method == Method::taylor)
+    for (DriftSample<T>& sample : made.first.samples) sample.drift_error = sample.attitude_error = T(0);
   return assemble_result(scene, std::move(made), seconds, parts, run_options);
 }
 

@@ -115,7 +115,8 @@ double azimuth_bound_a_second(const RunResult& result, double window_end, double
   double bound = 0;
   for (const DriftRow& row : result.looks) {
     if (row.t_s > reliable_until) break;
-    if (row.drift_azimuth_rad && horizontal(row) > 0 && row.t_s > 0) bound = row.drift_axis_bound_rad / horizontal(row) / row.t_s;
+    if (row.drift_azimuth_rad && horizontal(row) > 0 && row.t_s > 0)
+      bound = row.drift_axis_bound_rad / horizontal(row) / row.t_s;
     if (row.t_s >= window_end) break;
   }
   return bound;

@@ -31,23 +31,24 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
     second.relative_tolerance = std::max(first.relative_tolerance / 1000, least_tolerance(precision));
     return second;
   }
-  const bool dry_friction = scenario.effects.applied.coulomb_N_m != 0;
-  if (dry_friction) second.observer = first.observer;
-  const bool unlike = first.method != Method::extrapolation || precision == Precision::bits113;
-  second.method = unlike ? Method::extrapolation : Method::rkf78;
-  const double asked = first.relative_tolerance;
-  const double least = precision == Precision::bits53 ? 1e-13 : least_tolerance(precision);
-  second.relative_tolerance = std::max(asked / 1000, least);
-  const bool dearer = precision == Precision::bits64 && second.method == Method::rkf78;
-  if ((dearer || dry_friction) && second.relative_tolerance > asked / 30) second.relative_tolerance = std::min(10 * asked, 0.1);
+  const bool smooth = !scene.method_refusal(Method::taylor);
+  if (scenario.effects.applied.coulomb_N_m != 0 && !smooth) second.observer = first.observer;
+  const bool all_on = scenario.effects.all_on();
+  if (!all_on) second.observer = Observer::laboratory;
+  const Method checks_extrapolation = smooth                            ? Method::taylor
+                                      : precision == Precision::bits113 ? Method::extrapolation
+                                                                        : Method::rkf78;
+  second.method = first.method == Method::extrapolation ? checks_extrapolation : Method::extrapolation;
+  const double least = precision == Precision::bits53 && all_on ? 1e-13 : least_tolerance(precision);
+  second.relative_tolerance = std::max(first.relative_tolerance / 1000, least);
   if (first.method == Method::long_horizon) {
     IntegrationOptions itself = second, series = second;
     itself.method = Method::long_horizon;
-    itself.relative_tolerance = asked;
+    itself.relative_tolerance = first.relative_tolerance;
     series.method = Method::taylor;
     series.observer = Observer::laboratory;
-    const bool follows = scene.cost(series).seconds < scene.cost(itself).seconds;
-    return follows ? series : itself;
+    constexpr double kUnnoticed = 0.05;  // s
+    return scene.cost(series).seconds < std::max(kUnnoticed, scene.cost(itself).seconds) ? series : itself;
   }
   return second;
 }

@@ -9,8 +9,9 @@ namespace earthtop {
 /// Returns the options of the second integration. It uses another observer's equations of the same form, and another method
 /// wherever that is affordable. Two runs of one method make the same error where output times, not the tolerance, limit their
 /// steps; their distance then says nothing about the error. `extrapolation`, the cheapest method that uses no knowledge of the
-/// model, checks all other methods but two, and rkf78 checks `extrapolation`. Only in float128, where rkf78 would take ten times
-/// as long as both runs, does `extrapolation` check itself.
+/// model, checks all other methods but two. It is checked by `taylor` itself, which has the least rounding and in long double a
+/// fraction of the cost of any other method; where no series exists by rkf78, and in float128, where that would take ten times as
+/// long as both runs, by itself.
 ///
 /// `taylor` checks itself, in the equations of another observer. Its series have only rounding for an error, and output times do
 /// not limit its steps: so the two integrations share neither steps nor rounding, and the series of the second one come from
@@ -20,20 +21,24 @@ namespace earthtop {
 ///
 /// The tolerance is a thousandth of the first one, or the least one that the precision allows, so that the distance is the
 /// error of the rows. At one tolerance the errors of two methods may differ by a factor of a hundred; at a tenth, a hundredth
-/// or ten times the tolerance both errors could therefore be equal in size and sign. In double the least tolerance is 1e-13,
-/// where the second integration has as much rounding error as step error. In long double, rkf78 at the least tolerance would
-/// cost a third more than all the rest, so it checks `extrapolation` at ten times the tolerance. The same holds with dry
-/// friction, whose torque jumps where a motion reverses: there the least steps are short enough already.
+/// or ten times the tolerance both errors could therefore be equal in size and sign. So it was with dry friction, where rkf78 and
+/// an extrapolation at ten times its tolerance came to errors of one sign that agreed to 8 %. In double the least tolerance is 1e-13,
+/// where the second integration has as much rounding error as step error.
 ///
 /// closed_form has no error that an integration could detect: the error that it states is far smaller. What remains is the
 /// effect of the scene's rounding on the motion. The same closed form of the nudged scene shows this effect at the cost of the
 /// rows. The tests, not the run, show that the formula is the motion: they compare it with integrations of every kind of scene
 /// that it fits.
 ///
-/// With dry friction both integrations use body axes, in which a motion at rest can be held; not so where `taylor` integrates,
-/// which is made for tops that do not come to rest.
+/// With dry friction that may stop a motion both integrations use body axes, in which a motion at rest can be held.
 ///
-/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself.
+/// Without one of [F]'s torques the second integration uses the laboratory's equations, by another method. Only there is the torque
+/// simply absent: in the two other observers' equations it is subtracted, and where the drift without it is of second order in the
+/// Earth's rate, the rounding of that difference is larger than the error of the rows by up to 1e8 times. Steps are sized for a
+/// deviation of first order, so the tolerance may be the least one.
+///
+/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself, or so little
+/// that nobody notices it: its bound is then that of a series, and what long_horizon states of its own error adds nothing to it.
 /// Elsewhere it checks itself, with steps that are shorter than the first ones and incommensurate with them (the observer
 /// selects them), so that they excite a different nutation; finding the steps by trial again would give the first steps.
 /// @param first  the options of the run's first integration

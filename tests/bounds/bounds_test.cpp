@@ -9,7 +9,7 @@ namespace earthtop::testing {
 namespace {
 
 TEST(Bounds, HoldOverASampleOfAllStrata) {
-  int scenes = 0, beyond = 0, tight = 0;
+  int scenes = 0, beyond = 0, close = 0;
   for (const Stratum& stratum : strata())
     for (std::uint64_t i = 1000; i < 1003; ++i) {
       const bool long_run = stratum.name == "long horizon";
@@ -20,11 +20,101 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
         EXPECT_LE(coverage.used, 1);
       }
       EXPECT_LE(coverage.used, 3);
-      ++scenes, beyond += coverage.used > 1, tight += coverage.tight();
+      ++scenes, beyond += coverage.used > 1, close += coverage.close();
     }
-  EXPECT_EQ(scenes, 72);
+  EXPECT_EQ(scenes, 87);
   EXPECT_LE(beyond, 1);
-  EXPECT_GE(tight, 62);
+  EXPECT_GE(close, scenes * 9 / 10);
+}
+
+/// Lengths, numbers of rows, precisions and tolerances are random, too. earthtop-bound-coverage --survey has 70 scenes of each
+/// stratum: no error is over half its bound but for long_horizon, and over 98 % of the bounds are close.
+TEST(Bounds, HoldAndAreCloseOverASurveyOfLengthsRowsAndPrecisions) {
+  constexpr std::uint64_t kFirst = 3000, kCount = 4;
+  int scenes = 0, close = 0;
+  for (const Stratum& stratum : strata()) {
+    const bool long_run = stratum.name == "long horizon";
+    for (std::uint64_t i = kFirst; i < kFirst + kCount; ++i) {
+      const Scenario scenario = random_survey_scene(stratum, i, long_run ? 1e4 : 3, long_run ? 3e4 : 100);
+      SCOPED_TRACE(std::string(stratum.name) + ", " + scenario.name);
+      const Coverage coverage = bound_coverage(scenario, Truth::bits64);
+      EXPECT_LE(coverage.used, long_run ? 1 : 0.5);
+      ++scenes, close += coverage.close();
+    }
+  }
+  EXPECT_GE(close, scenes * 95 / 100);
+}
+
+/// An asymmetric body that dry friction brakes: rkf78 and an extrapolation at ten times its tolerance came to the same error, to
+/// 8 %, and the error was 1.5 times its bound; cut at other lengths 0.8 to 1.02 times.
+TEST(Bounds, HoldWhereDryFrictionBrakesAnAsymmetricBody) {
+  Scenario s;
+  s.name = "dry-asymmetric";
+  s.site = {67.259, 0, 0, 9.80665};
+  s.body.mass_kg = 0.179531;
+  s.body.center_of_mass_m = {0, 0, 0.0103356};
+  set_principal(s.body, 0.00048818, 0.000361486, 0.000495938);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.release.tilt_deg = 0.055277;
+  s.release.azimuth_deg = -36.585;
+  s.release.spin_angle_deg = 219.24;
+  s.release.angular_velocity_body_rad_s = {7.32978, -0.827461, 17.9074};
+  s.effects.applied.coulomb_N_m = 0.000274933;
+  const double whole_s = 13.265;
+  for (const double share : {1.0, 0.9, 0.8, 0.7, 0.6, 0.5}) {
+    s.duration_s = share * whole_s;
+    s.output_step_s = s.duration_s / 10;
+    SCOPED_TRACE(s.duration_s);
+    const Coverage coverage = bound_coverage(s);
+    // A tenth, and what the second integration at a tenth of the tolerance errs: two thirds of the rows' error would be far more.
+    EXPECT_LE(coverage.used, 0.3);
+    EXPECT_TRUE(coverage.close()) << coverage.attitude.bound;
+  }
+}
+
+/// A motion is held at rest a little before it stops, 4e-11 of the time behind it. Both integrations hold it after the same steps
+/// from the last row on, so that their distance does not show what is missed: an error of 8e-12 of the drift, 2.6 times its bound.
+TEST(Bounds, HoldWhereBothIntegrationsStopAMotionInTheSameStep) {
+  const auto stratum = std::ranges::find(strata(), std::string_view("dry friction, symmetric, held at rest"), &Stratum::name);
+  ASSERT_NE(stratum, strata().end());
+  const Scenario scenario = random_survey_scene(*stratum, 639, 3, 500);
+  const RunResult result = run(scenario);
+  ASSERT_EQ(result.stops.size(), 2u);
+  const Coverage coverage = bound_coverage(scenario);
+  EXPECT_LE(coverage.used, 0.5);
+  // The rows before the stop are good to some 1e-13 of the drift.
+  EXPECT_LE(coverage.axis.error, 1e-12 * result.drift.axis_max_rad);
+}
+
+/// Without Coriolis' torque the drift is of second order in the Earth's rate. In inertial axes the torque has to be subtracted, so
+/// that a second integration there errs by 1e8 times as much as the rows: their bound was 1.2e-12 rad, their error is 2e-21.
+TEST(Bounds, AreCloseWithoutCoriolis) {
+  Scenario s;
+  s.name = "without-coriolis";
+  s.site = {-77.537, 0, 0, 14.322};
+  s.rotation_rate_rad_s = 0.0001022468;
+  s.body.mass_kg = 0.395044;
+  s.body.center_of_mass_m = {0, 0, 0.0202613};
+  set_principal(s.body, 0.000216083, 0.000216083, 0.000323595);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.release.tilt_deg = 67.316;
+  s.release.azimuth_deg = -86.017;
+  s.release.spin_angle_deg = 94.372;
+  s.release.spin_rad_s = -19.5982;
+  s.effects.coriolis = false;
+  s.duration_s = 27.65;
+  s.output_step_s = 2.765;
+  const Coverage coverage = bound_coverage(s);
+  EXPECT_LE(coverage.used, 0.3);
+  EXPECT_TRUE(coverage.close()) << coverage.attitude.bound << " for an error of " << coverage.attitude.error;
+}
+
+/// The everyday top: its bound was as wide as the change of the drift by 80 units in the last place of its inputs, a thousand times
+/// the error.
+TEST(Bounds, AreCloseForTheToyTop) {
+  const Coverage coverage = bound_coverage(parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/toy-top.json")));
+  EXPECT_LE(coverage.used, 0.3);
+  EXPECT_TRUE(coverage.close()) << coverage.attitude.bound << " for an error of " << coverage.attitude.error;
 }
 
 /// If the rows and the second integration err in the same direction and by nearly as much, their distance says little about
@@ -32,17 +122,17 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
 /// method among them.
 TEST(Bounds, HoldOverASampleOfMethodsNamedByHand) {
   std::array<int, kMethodCount> scenes_of{};
-  int tight = 0, scenes = 0;
+  int close = 0, scenes = 0;
   for (const Stratum& stratum : strata())
     for (std::uint64_t i = 2000; i < 2008; ++i) {
       const Scenario scenario = random_scene_by_hand(stratum, i, 3, 500);
       SCOPED_TRACE(std::string(stratum.name) + ", " + scenario.name + ": " + canonical_json(scenario));
       const Coverage coverage = bound_coverage(scenario, Truth::bits64);
       EXPECT_LE(coverage.used, coverage.verdict.verdict == Verdict::reliable ? 1 : 3);
-      ++scenes, tight += coverage.tight();
+      ++scenes, close += coverage.close();
       ++scenes_of.at(static_cast<std::size_t>(coverage.method));
     }
-  EXPECT_GE(tight, scenes * 9 / 10);
+  EXPECT_GE(close, scenes * 85 / 100);
   for (const MethodRow& row : kMethodRows)
     EXPECT_GE(scenes_of.at(static_cast<std::size_t>(row.method)), row.method == Method::automatic ? 0 : 2) << row.word;
 }

@@ -20,6 +20,15 @@ double angle_between(const std::array<float128, 4>& p, const std::array<float128
   return static_cast<double>(float128(2) * real::atan2(norm(d.v), real::abs(d.w)));
 }
 
+double epsilon_of(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
+    case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
+  }
+  return real::epsilon<double>();
+}
+
 /// A row with all its digits if the run keeps them in extended precision.
 ExtendedDriftRow judged_row(const RunResult& result, std::size_t i) {
   return result.extended_rows.empty() ? row_cast<float128>(result.rows[i]) : result.extended_rows[i];
@@ -59,8 +68,8 @@ Coverage coverage_of(const RunResult& result, const TrueRun& truth) {
   Coverage coverage;
   coverage.method = result.solution.method;
   coverage.verdict = result.verdict;
-  // The truth is not exact either: where a gimbal holds a wheel that does not drift at all, it drifts by the rounding of 113 bits.
-  constexpr double kTruthError = 1e-24;
+  constexpr double kRoundOffUnits = 1024;
+  const double round_off = kRoundOffUnits * epsilon_of(result.scene.scenario().precision);
   const auto include = [&](BoundedError& part, double error, double bound) {
     if (error < kTruthError) error = 0;
     part.error = std::max(part.error, error);
@@ -80,6 +89,7 @@ Coverage coverage_of(const RunResult& result, const TrueRun& truth) {
     include(coverage.states, angle_between(judged.q_LB, exact.q_LB), result.attitude_bound_rad);
     include(coverage.states, angle_between(judged.ref_q_LB, exact.ref_q_LB), result.attitude_bound_rad);
     coverage.drift = static_cast<double>(exact.drift_axis_rad);
+    coverage.round_off = std::max(coverage.round_off, round_off * static_cast<double>(exact.drift_attitude_rad));
     ++coverage.rows;
     if (!row.contact) continue;
     include(coverage.tip, distance(judged.contact->drift_tip_xy_m, exact.contact->drift_tip_xy_m),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "earthtop/model/body.hpp"
@@ -237,6 +238,57 @@ Scenario level_gimbal(Random& random) {
   return s;
 }
 
+/// Dry friction that takes the spin in a phase of 5 to 2,000 rad: so some of the scenes come to rest, others do not.
+/// @param held  whether friction can hold the body against gravity, so that both motions end at rest
+Scenario dry_friction(Random& random, bool symmetric, bool held) {
+  Scenario s = symmetric ? symmetric_top(random) : asymmetric_body(random);
+  if (!symmetric && random.coin()) s.body.center_of_mass_m[0] = s.body.center_of_mass_m[1] = 0;
+  const double rate = random.sign() * random.log_uniform(3, 1e3);
+  if (symmetric && random.coin())
+    s.release.spin_rad_s = rate;
+  else
+    s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.5, 0.5), rate * random.uniform(-0.5, 0.5), rate};
+  const double least_phase = 5;
+  const double phase = held ? random.log_uniform(least_phase, 200) : random.log_uniform(100, 1e5);
+  const double torque = numbers(s).I3 * rate * rate / phase;
+  s.effects.applied.coulomb_N_m = torque;
+  if (!held) return s;
+  // The body leans so little, or its centre of mass is so near the pivot, that gravity cannot move it from rest.
+  const double most = random.log_uniform(1e-3, 0.9) * torque, weight = s.body.mass_kg * s.site.gravity_m_s2;
+  auto& center = s.body.center_of_mass_m;
+  const double lever = std::hypot(center[0], center[1], center[2]);
+  if (center[0] == 0 && random.coin()) {
+    if (const double sine = most / (weight * lever); sine < 1) s.release.tilt_deg = std::asin(sine) * 180 / std::numbers::pi;
+  } else if (weight * lever > most) {
+    for (double& part : center) part *= most / (weight * lever);
+  }
+  return s;
+}
+Scenario dry_symmetric_held(Random& random) { return dry_friction(random, true, true); }
+Scenario dry_symmetric(Random& random) { return dry_friction(random, true, false); }
+Scenario dry_asymmetric_held(Random& random) { return dry_friction(random, false, true); }
+Scenario dry_asymmetric(Random& random) { return dry_friction(random, false, false); }
+
+/// Any of the seven ways to leave out one, two or all of [F]'s torques, with spins up to 1e4 rad/s.
+Scenario torques_left_out(Random& random) {
+  Scenario s = random.coin() ? symmetric_top(random) : asymmetric_body(random);
+  const double rate = random.sign() * random.log_uniform(3, 1e4);
+  if (random.coin())
+    s.release.spin_rad_s = rate;
+  else
+    s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.5, 0.5), rate * random.uniform(-0.5, 0.5), rate};
+  const int kept = static_cast<int>(random.uniform(0, 7));
+  s.effects.coriolis = (kept & 1) != 0, s.effects.centrifugal = (kept & 2) != 0, s.effects.transverse = (kept & 4) != 0;
+  if (random.coin()) {
+    // The transverse torque acts only where the laboratory's rate changes.
+    s.platform = PlatformSpec{PlatformMotion::harmonic,  {random.uniform(-1, 1), random.uniform(-1, 1), 1},
+                              random.uniform(-3, 3),     0,
+                              random.uniform(0, 0.3),    random.log_uniform(0.05, 2),
+                              random.uniform(-180, 180), {0, 0, 0}};
+  }
+  return s;
+}
+
 constexpr Stratum kStrata[] = {
     {"any spin, let go at rest", any_spin},
     {"fast top", fast_top},
@@ -262,6 +314,11 @@ constexpr Stratum kStrata[] = {
     {"long horizon", long_horizon},
     {"with friction, air, a gradient, a tide", with_effects, true},
     {"in a gimbal that holds it level", level_gimbal, true},
+    {"dry friction, symmetric, held at rest", dry_symmetric_held, true},
+    {"dry friction, symmetric", dry_symmetric, true},
+    {"dry friction, asymmetric, held at rest", dry_asymmetric_held, true},
+    {"dry friction, asymmetric", dry_asymmetric, true},
+    {"torques left out", torques_left_out, true},
 };
 
 /// A random one of the methods that a user may name for this scene.
@@ -298,6 +355,21 @@ Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, doubl
     s.numerics.step_s = random.log_uniform(0.01, 0.15) / Scene(s).fastest_rate_rad_s();
   const double least = s.precision == Precision::bits53 ? 1e-13 : 10 * least_tolerance(s.precision);
   s.numerics.relative_tolerance = s.numerics.step_s ? default_tolerance(s.precision) : random.log_uniform(least, 1e-6);
+  return s;
+}
+
+Scenario random_survey_scene(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase) {
+  Scenario s = random_scene_of(stratum, index, least_phase, largest_phase);
+  s.name = "survey" + s.name.substr(s.name.find('-'));
+  Random random(index * 2003 + static_cast<std::uint64_t>(&stratum - kStrata) * 7'000'003);
+  constexpr double kMostRows = 60, kWide = 0.2, kOtherTolerance = 0.4;
+  const double rows = std::floor(random.log_uniform(2, kMostRows));
+  s.duration_s *= random.uniform(0.2, 1);
+  s.output_step_s = s.duration_s / rows;
+  if (random.uniform(0, 1) < kWide && s.numerics.method == Method::automatic) s.precision = Precision::bits64;
+  s.numerics.relative_tolerance = default_tolerance(s.precision);
+  if (random.uniform(0, 1) < kOtherTolerance)
+    s.numerics.relative_tolerance = random.log_uniform(s.precision == Precision::bits53 ? 1e-13 : 1e-17, 1e-8);
   return s;
 }
 

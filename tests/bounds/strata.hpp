@@ -21,6 +21,9 @@ std::span<const Stratum> strata();
 /// through `least_phase` to `largest_phase` rad, distributed log-uniformly.
 Scenario random_scene_of(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
 
+/// The same scene cut at a random length, with 2 to 60 rows, some in long double, some with a tolerance from 1e-8 to near the least.
+Scenario random_survey_scene(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);
+
 /// The same scene in double or long double, with random numerics of those that a user may name for it: any method that takes
 /// it, a fixed step or any tolerance from 1e-6 to a little above the least one, any observer, either form.
 Scenario random_scene_by_hand(const Stratum& stratum, std::uint64_t index, double least_phase, double largest_phase);

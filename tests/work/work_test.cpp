@@ -139,7 +139,7 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   plan_first(Scene(s), false, made, problem);
   made.first = integrate_drift(problem, made.options);
   describe(problem, made.options, made.first, s.precision, made.solution);
-  make_second(problem, made.looks, made.looks.size());
+  make_second(problem, made.looks, made.looks.size(), made.options);
   problem.pace = understated().pace;
   made.other_options = options_of(Method::rkf78);
   made.second = integrate_drift(problem, made.other_options);
