@@ -70,7 +70,9 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
   const bool ends_at_rows = ends_steps_at_rows(options.method);
   if (ends_at_rows) steps = std::max(steps, pace.rows);
   const double looks = pace.rows + (ends_at_rows ? 0 : pace.judgement_looks);
-  return times({steps, evaluations + looks * cost.evaluations_a_row}, pace.seen[static_cast<std::size_t>(options.method)]);
+  // A look between the steps of a method without dense output is a step of its own.
+  const double a_look = ends_at_rows || cost.evaluations_a_row == 1 ? cost.evaluations_a_row : an_evaluation;
+  return times({steps, evaluations + looks * a_look}, pace.seen[static_cast<std::size_t>(options.method)]);
 }
 
 Work variational_work(const Pace& pace, double time_s, double relative_tolerance) {

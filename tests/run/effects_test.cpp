@@ -35,7 +35,7 @@ TEST(Effects, AllObserversAndMoreBitsAgree) {
     extended.precision = Precision::bits113;
     extended.numerics.relative_tolerance = 1e-20;
     const RunResult truth = run(extended);
-    ASSERT_EQ(truth.status, RunStatus::completed);
+    ASSERT_EQ(truth.status, RunStatus::completed) << why_limited(truth);
     for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
       SCOPED_TRACE(to_string(observer));
       Scenario s = scene;
