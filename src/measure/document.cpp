@@ -66,9 +66,9 @@ constexpr CurveAngle kCurveAngles[] = {{"azimuth_rad", &CurvePoint::azimuth_rad}
                                        {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
                                        {"drift_tilt_rad", &CurvePoint::drift_tilt_rad}};
 
-Json curve_json(const std::vector<CurvePoint>& curve) {
+Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
   if (curve.empty()) return nullptr;
-  Json json;
+  Json json = {{"mean", is_mean}};
   for (const CurvePoint& point : curve) json["t_s"].push_back(point.t_s);
   for (const CurveAngle& column : kCurveAngles) {
     const auto known = [&](const CurvePoint& point) { return std::isfinite(point.*column.angle); };
@@ -114,6 +114,7 @@ MeasurementReport measurement_of(const Json& document) {
   }
   const Json curve = document.value("curve", Json());
   if (!curve.is_object()) return report;
+  report.curve_is_mean = curve.value("mean", false);
   for (const Json& t_s : curve.at("t_s")) {
     CurvePoint point{number_or_nan(t_s), 0, 0, 0, 0};
     for (const CurveAngle& column : kCurveAngles)
@@ -166,7 +167,7 @@ std::string measurement_json(const MeasurementReport& report) {
       {"largest_residual", report.largest ? residual_json(report.residuals[*report.largest]) : Json(nullptr)},
       {"residuals_of", report.fitted ? "fitted" : "as_given"},
       {"residuals", residuals},
-      {"curve", curve_json(report.curve)},
+      {"curve", curve_json(report.curve, report.curve_is_mean)},
       {"notes", report.notes}};
   return json_with_escapes(written_replacing(document, 2)) + '\n';
 }

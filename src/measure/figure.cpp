@@ -61,14 +61,16 @@ double CurvePoint::*angle_of(std::string_view quantity) {
 
 struct Point {
   double t_s, angle_rad;
+  bool is_drawn;  ///< whether the model's line goes through it
 };
 
-/// The model's angle over time, from the curve and from the predictions at measured times.
+/// The model's angle over time, from the curve and from the predictions at measured times. No line through means passes these.
 std::vector<Point> model_of(const MeasurementReport& report, const Series& series) {
   std::vector<Point> points;
   const auto angle = angle_of(series.front()->quantity);
-  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*angle});
-  for (const MeasurementResidual* residual : series) points.push_back({residual->t_s, residual->predicted_rad});
+  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*angle, true});
+  for (const MeasurementResidual* residual : series)
+    points.push_back({residual->t_s, residual->predicted_rad, !report.curve_is_mean || report.curve.empty()});
   std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.t_s < b.t_s; });
   return points;
 }
@@ -98,7 +100,7 @@ void unwrap(std::vector<Point>& points) {
   for (Point point : points) {
     point.angle_rad -= std::floor(point.angle_rad / kWholeTurn) * kWholeTurn;
     if (!broken.empty() && std::abs(point.angle_rad - broken.back().angle_rad) > std::numbers::pi)
-      broken.push_back({point.t_s, kNone});
+      broken.push_back({point.t_s, kNone, true});
     broken.push_back(point);
   }
   points = std::move(broken);
@@ -147,8 +149,11 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
   if (is_azimuth(quantity) && quantity != "drift_azimuth") unwrap(model);  // a drift is continuous already
   const ShownUnit unit = unit_for(model);
   Panel panel{{spoken(quantity), unit.name}, {}, 240};
-  Line line{label(report, series, "model"), {}, {}, LineColor::grey, LineStyle::thin};
+  const bool is_mean = report.curve_is_mean && !report.curve.empty();
+  Line line{
+      label(report, series, is_mean ? "model, the mean of its swings" : "model"), {}, {}, LineColor::grey, LineStyle::thin};
   for (const Point& point : model) {
+    if (!point.is_drawn) continue;
     line.x.push_back(point.t_s * per_s);
     line.y.push_back(point.angle_rad * unit.per_rad);
   }

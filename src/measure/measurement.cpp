@@ -20,6 +20,7 @@
 #include "measure/priors.hpp"
 #include "measure/weighted_fit.hpp"
 #include "measure/whitening.hpp"
+#include "run/looks.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -144,20 +145,61 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
     }
 }
 
-/// The motion that the report's residuals are taken against, at evenly spaced times. Empty where it cannot be computed there.
-std::vector<CurvePoint> curve_of(const MeasurementReport& report, const Scene& given, const EstimatedInputs& inputs,
-                                 const Measurement& measurement, std::size_t points, const Watch& watch) {
+/// Means of neighbouring axes, each of `each` of them, of which the outer ones count less.
+std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std::size_t each) {
+  std::vector<PredictedAxis> means;
+  for (std::size_t begin = 0; begin + each <= axes.size(); begin += each) {
+    PredictedAxis mean{(axes[begin].t_s + axes[begin + each - 1].t_s) / 2, Vec3<double>::Zero(), 0, 0.0};
+    double weights = 0;
+    for (std::size_t k = 0; k < each; ++k) {
+      const PredictedAxis& axis = axes[begin + k];
+      const double place = (static_cast<double>(k) + 1) / (static_cast<double>(each) + 1) - 0.5, weight = 1 - 4 * place * place;
+      mean.n_L += weight * axis.n_L;
+      mean.drift_tilt_rad += weight * axis.drift_tilt_rad;
+      if (mean.drift_azimuth_rad && axis.drift_azimuth_rad)
+        *mean.drift_azimuth_rad += weight * *axis.drift_azimuth_rad;
+      else
+        mean.drift_azimuth_rad.reset();
+      weights += weight;
+    }
+    mean.n_L.normalize();
+    mean.drift_tilt_rad /= weights;
+    if (mean.drift_azimuth_rad) *mean.drift_azimuth_rad /= weights;
+    means.push_back(mean);
+  }
+  return means;
+}
+
+/// Fills in the motion that the report's residuals are taken against, at times that resolve it, or as means over some of its swings.
+/// Empty where it cannot be computed there. @param points  the least number of times
+void take_curve(MeasurementReport& report, const Scene& given, const EstimatedInputs& inputs, const Measurement& measurement,
+                std::size_t points, const Watch& watch) {
+  constexpr std::size_t kMost = 6000, kSwings = 24;  // times that a document has room for; looks at two swings
   std::vector<double> values;
   if (report.fitted)
     for (const ParameterEstimate& estimate : report.estimates) values.push_back(*estimate.estimate);
   const std::optional<Scene> fitted = report.fitted ? inputs.scene(values) : std::nullopt;
   const double end_s = measurement.values.back().t_s;
-  std::vector<double> times;
-  if (end_s > 0)
-    for (std::size_t k = 0; k + 1 < points; ++k)
-      times.push_back(end_s * (static_cast<double>(k) / static_cast<double>(points - 1)));
-  times.push_back(end_s);
-  return angles_of(predict(fitted ? *fitted : given, times, has_drifts(measurement), watch), has_drifts(measurement));
+  const bool drift = has_drifts(measurement);
+  std::vector<double> times{end_s};
+  std::size_t a_window = 0;
+  if (end_s > 0) {
+    Scenario measured = (fitted ? *fitted : given).scenario();
+    measured.duration_s = end_s;
+    const Scene scene(std::move(measured));
+    const PicturePlan plan = plan_looks(scene, scene.choice().options).picture;
+    times = plan.times_s;
+    a_window = plan.looks_a_window > 0 ? plan.looks_a_window : times.size() > kMost ? kSwings : 0;
+    if (a_window == 0 && times.size() < points) {
+      times.clear();
+      for (std::size_t k = 0; k < points; ++k)
+        times.push_back(k + 1 == points ? end_s : end_s * (static_cast<double>(k) / static_cast<double>(points - 1)));
+    }
+  }
+  PredictedMotion motion = predict(fitted ? *fitted : given, times, drift, watch);
+  report.curve_is_mean = a_window > 0;
+  if (a_window > 0) motion.axes = means_of(motion.axes, a_window);
+  report.curve = angles_of(motion, drift);
 }
 
 /// The median time between successive values of a series (s).
@@ -291,7 +333,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
       report.largest = i;
   add_notes(report);
   if (options.curve_points > 0 && report.status == RunStatus::completed && report.fit != FitOutcome::interrupted)
-    report.curve = curve_of(report, scene, inputs, measurement, options.curve_points, parts.next(of_curve, "curve"));
+    take_curve(report, scene, inputs, measurement, options.curve_points, parts.next(of_curve, "curve"));
   return report;
 }
 

@@ -49,10 +49,7 @@ RowArray array_of(const std::vector<DriftRow>& rows, const RowQuantity& quantity
   return array;
 }
 
-}  // namespace
-
-std::vector<RowArray> row_arrays(const RunResult& result) {
-  const std::vector<DriftRow>& rows = result.rows;
+std::vector<RowArray> arrays_of(const std::vector<DriftRow>& rows) {
   std::vector<RowArray> arrays = {times(rows, rows.size())};
   for_each_drift_quantity(
       [&](auto member, const RowQuantity& quantity) { arrays.push_back(array_of(rows, quantity, member)); });
@@ -63,6 +60,11 @@ std::vector<RowArray> row_arrays(const RunResult& result) {
     });
   return arrays;
 }
+
+}  // namespace
+
+std::vector<RowArray> row_arrays(const RunResult& result) { return arrays_of(result.rows); }
+std::vector<RowArray> look_arrays(const RunResult& result) { return arrays_of(result.looks); }
 
 std::vector<RowArray> row_array_kinds() {
   std::vector<RowArray> kinds = {times(std::vector<DriftRow>(), 0)};

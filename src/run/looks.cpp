@@ -65,7 +65,8 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   plan.looks_a_window = static_cast<std::size_t>(std::ceil(window / step)) + 3;
   plan.step_s = step;
   const double length = step * static_cast<double>(plan.looks_a_window - 1);
-  const double turns = known ? duration * std::abs(known->precession_rad_s) / (2 * std::numbers::pi) : 0;
+  constexpr double kUnknown = 50;  // turns that are followed where it is not known how many there are
+  const double turns = known ? duration * std::abs(known->precession_rad_s) / (2 * std::numbers::pi) : kUnknown;
   const std::size_t windows = windows_of(turns, static_cast<std::size_t>(kMostLooks) / plan.looks_a_window);
   for (std::size_t w = 0; w < windows; ++w)
     for (std::size_t k = 0; k < plan.looks_a_window; ++k) {

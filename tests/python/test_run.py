@@ -212,12 +212,36 @@ def test_picture_and_headline():
     assert "toy-top: after 1 s" in html and f"{r.drift.axis_final_rad:.6g}" in html and "<svg" in html
 
 
+def test_plot_of_files_has_rows_alone(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    et.run(et.example("toy-top"), duration_s=1).save(tmp_path / "r")
+    r = et.load_result(tmp_path / "r")
+    ax = r.plot()
+    assert np.array_equal(ax.lines[0].get_ydata(), r.drift.axis_rad) and ax.get_title() == "toy-top, at its output rows"
+    matplotlib.pyplot.close("all")
+
+
+def test_plot_of_many_swings_has_a_band():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    r = et.run(et.example("toy-top"), duration_s=600, output_step_s=600)
+    ax = r.plot("drift_tilt_rad")
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == ["least to most"]
+    band = ax.collections[0].get_paths()[0].vertices[:, 1]
+    assert max(abs(band)) == pytest.approx(r.drift.tilt_max_rad, rel=0.05)
+    matplotlib.pyplot.close("all")
+
+
 def test_plot():
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
-    r = et.run(et.example("toy-top"), duration_s=1)
+    r = et.run(et.example("toy-top"), duration_s=1, output_step_s=1)
     ax = r.plot()
-    assert np.array_equal(ax.lines[0].get_ydata(), r.drift.axis_rad) and ax.get_xlabel() == "time (s)"
+    drawn = ax.lines[0].get_ydata()
+    # The swings of 0.1057 s are drawn, twelve points each or more, though there is no row but the last.
+    assert len(r.t_s) == 2 and len(drawn) > 12 / 0.1057 and drawn[-1] == r.drift.axis_rad[-1]
+    assert max(drawn) == pytest.approx(r.drift.axis_max_rad, rel=0.02) and ax.get_xlabel() == "time (s)"
     assert len(r.plot("q_LB", ax=ax).lines) == 5
     with pytest.raises(et.ScenarioError, match="there is no quantity"):
         r.plot("axis")

@@ -112,20 +112,24 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   return run;
 }
 
-/// The drift over time as a sparkline: one line of block characters. @param width  columns of the line
+/// The drift over time as a sparkline: one line of block characters, each as high as the largest drift in its part of the run.
+/// @param width  columns of the line
 std::string sparkline(const RunResult& result, std::size_t width) {
   constexpr std::size_t kLeast = 8, kMost = 48;
   constexpr std::array<const char*, 8> kLevels = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-  double largest = 0;
-  for (const DriftRow& row : result.rows) largest = std::max(largest, row.drift_axis_rad);
-  if (!(largest > 0) || result.rows.size() < 2) return "";
+  const std::vector<DriftRow>& seen = result.looks.size() > 1 ? result.looks : result.rows;
+  double largest = result.drift.axis_max_rad;
+  for (const DriftRow& row : seen) largest = std::max(largest, row.drift_axis_rad);
+  if (!(largest > 0) || seen.size() < 2) return "";
   std::string line = "Drift       0 s ";
-  const std::string end = fmt::format(" {:g} s, the largest {:.3g} rad\n", result.rows.back().t_s, largest);
+  const std::string end = fmt::format(" {:g} s, the largest {:.3g} rad\n", seen.back().t_s, largest);
   const std::size_t room = width - std::min(width, line.size() + end.size() - 1);
-  const std::size_t columns = std::min(std::clamp(room, kLeast, kMost), result.rows.size());
+  const std::size_t columns = std::min(std::clamp(room, kLeast, kMost), seen.size());
   for (std::size_t i = 0; i < columns; ++i) {
-    const DriftRow& row = result.rows[i * (result.rows.size() - 1) / (columns - 1)];
-    line += kLevels[static_cast<std::size_t>(std::clamp(row.drift_axis_rad / largest * 8, 0.0, 7.0))];
+    double most = 0;
+    for (std::size_t k = i * seen.size() / columns; k < (i + 1) * seen.size() / columns; ++k)
+      most = std::max(most, seen[k].drift_axis_rad);
+    line += kLevels[static_cast<std::size_t>(std::clamp(most / largest * 8, 0.0, 7.0))];
   }
   return line + end;
 }

@@ -145,7 +145,8 @@ struct MeasurementOptions {
   /// Above 0: the errors of each measured quantity are correlated in time, by exp(-dt / correlation_time_s) between errors in
   /// units of their standard errors; those of different quantities are independent of each other (s).
   double correlation_time_s = 0;
-  /// Number of the report's points between the release and the last measured time, for a picture: kCurvePoints, or 0 for none.
+  /// Number of the report's points between the release and the last measured time, for a picture: kCurvePoints, or 0 for none. It
+  /// becomes as many as resolve the fastest swings of the axis.
   std::size_t curve_points = 0;
   static constexpr std::size_t kCurvePoints = 1001;
 };
@@ -175,7 +176,8 @@ struct MeasurementReport {
   double correlation_time_s = 0;                 ///< as stated; 0: errors are independent of each other
   std::vector<MeasurementResidual> residuals;    ///< with the fitted numbers if the fit converged, else with the scenario's
   std::vector<CurvePoint> curve;                 ///< with the same numbers; empty if it was not asked for
-  std::optional<std::size_t> largest;            ///< index of the residual whose normalised size is largest
+  bool curve_is_mean = false;  ///< whether its points are means over some of the axis's swings, which are too many to be drawn
+  std::optional<std::size_t> largest;  ///< index of the residual whose normalised size is largest
   std::vector<std::string> notes;
 
   /// Whether the residuals after the fit scatter by more than the stated errors explain.

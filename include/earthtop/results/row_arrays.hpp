@@ -36,6 +36,9 @@ struct RowArray {
 /// as long as it is neither changed nor destroyed.
 std::vector<RowArray> row_arrays(const RunResult& result);
 
+/// The same of `RunResult::looks`: for pictures.
+std::vector<RowArray> look_arrays(const RunResult& result);
+
 /// The same arrays without a row, those of a top on a table included: what there can be.
 std::vector<RowArray> row_array_kinds();
 

@@ -152,8 +152,9 @@ function startSphere(data) {
     const { pen } = page, { put } = frame(page.width, page.height);
     pen.drawImage(still, 0, 0, page.width, page.height);
     const from = Math.max(ref.first, now() - recent * (ref.last - ref.first));
+    const rows = ref.count * Math.min(1, (now() - from) / (ref.last - ref.first || 1)), pieces = clamp(Math.round(2 * rows), 60, 600);
     for (const [name, , at] of paths) {
-      const trail = Array.from({ length: 61 }, (_, i) => at(from + (i / 60) * (now() - from)));
+      const trail = Array.from({ length: pieces + 1 }, (_, i) => at(from + (i / pieces) * (now() - from)));
       pen.setLineDash(kDashes[name]);
       strokeOnSphere(pen, put, trail, kPalette[name], 2, 0.6);
     }

@@ -113,7 +113,7 @@ function motionText(motion, speed, slowed) {
   const { shape, tip, shrunk, spin } = motion;
   if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
   else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at 1/${format(slowed)} of its rate.`);
-  if (motion.sparse) parts.push("The body is not symmetric, but its rows are too far apart to show how it turns.");
+  if (motion.sparse) parts.push("The body is not symmetric, but the times drawn are too far apart to show how it turns.");
   if (tip.count && isNumber(shrunk) && shrunk > 0)
     parts.push(`The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}; ` +
       "the distance between the two tips is not magnified.");

@@ -92,6 +92,8 @@ void bind_results(py::module_& module) {
   using Self = const std::shared_ptr<RunResult>&;
   Class(module, "RunResult", "What a run returns.")
       .def("row_arrays", [](Self self) { return described(row_arrays(*self), self); })
+      .def("look_arrays", [](Self self) { return described(look_arrays(*self), self); })
+      .def_property_readonly("looks_a_window", [](Self self) { return self->looks_a_window; })
       .def("torque_arrays", [](Self self) { return described(torque_arrays(*self), self); })
       .def("summary_json", text_of(summary_json))
       .def("timing_json", text_of(timing_json))

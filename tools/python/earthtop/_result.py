@@ -212,6 +212,10 @@ class Result:
              **options: Any) -> "matplotlib.axes.Axes":
         """Draws a quantity over time, and its error bound as a band where it has one.
 
+        The motion of a run is drawn at times of the run's own, which resolve the fastest swings of the axis, whatever the output
+        times are. Where it has thousands of swings, a band from the least to the largest value in each of many windows is drawn.
+        A result that was read from files has only its rows to draw, and the title says so.
+
         Parameters
         ----------
         quantity : str
@@ -229,27 +233,45 @@ class Result:
 
         if quantity not in self.rows:
             raise refuse(f"there is no quantity {quantity!r}; there are {', '.join(self.rows)}")
-        array = self.rows[quantity]
-        if array.dtype.kind == "U":
+        if self.rows[quantity].dtype.kind == "U":
             raise refuse(f"{quantity!r} is a word and cannot be drawn")
         if ax is None:
             _, ax = matplotlib.pyplot.subplots()
-        t_s, values = np.asarray(self.t_s, dtype=float), np.asarray(array, dtype=float)
+        seen, window = self._seen()
+        t_s, values = np.asarray(seen["t_s"], dtype=float), np.asarray(seen[quantity], dtype=float)
         components = next(kind.components for kind in ROW_KINDS if kind.name == quantity)
+        stem, _, unit = quantity.rpartition("_")
+        bound = f"{stem}_bound_{unit}"
+        if window:
+            # Between windows nothing is known: each is drawn by its least, its mean and its largest value.
+            whole = len(t_s) // window * window
+            t_s = t_s[:whole].reshape(-1, window).mean(axis=1)
+            values = values[:whole].reshape((-1, window) + values.shape[1:])
+            least, most, values = values.min(axis=1), values.max(axis=1), values.mean(axis=1)
         lines = ax.plot(t_s, values, **options)
         for line, letter in zip(lines, components):
             line.set_label(letter)
-        if components:
-            ax.legend()
-        stem, _, unit = quantity.rpartition("_")
-        bound = f"{stem}_bound_{unit}"
-        if bound in self.rows:
-            error = np.asarray(self.rows[bound], dtype=float)
+        if window:
+            columns = [(least, most)] if least.ndim == 1 else list(zip(least.T, most.T))
+            for line, (low, high) in zip(lines, columns):
+                ax.fill_between(t_s, low, high, alpha=0.35, color=line.get_color(), linewidth=0, label="least to most")
+        elif bound in seen:
+            error = np.asarray(seen[bound], dtype=float)
             ax.fill_between(t_s, values - error, values + error, alpha=0.3, color=lines[0].get_color(), linewidth=0)
+        if components or window:
+            ax.legend()
         ax.set_xlabel("time (s)")
         ax.set_ylabel(quantity)
-        ax.set_title(self.name)
+        ax.set_title(self.name if seen is not self.rows else f"{self.name}, at its output rows")
         return ax
+
+    def _seen(self) -> Tuple[Mapping[str, np.ndarray], int]:
+        """The quantities of the motion at times that resolve it, and how many of these are in a window (0: no windows); those of
+        the rows where the motion itself is not at hand."""
+        if self._run is None:
+            return self.rows, 0
+        looks = {name: array for name, array, *_ in self._run.look_arrays()}
+        return (looks, self._run.looks_a_window) if len(looks["t_s"]) > 1 else (self.rows, 0)
 
     def save(self, directory: Union[str, os.PathLike], *, force: bool = False) -> Path:
         """Writes the files that ``earthtop run`` writes, which ``earthtop report`` and ``earthtop compare`` read.
