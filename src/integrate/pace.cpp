@@ -67,12 +67,13 @@ Work estimated_work(const Pace& pace, const IntegrationOptions& options, bool re
     const double cut = cost.is_watched ? pace.watched_angle_rad / kLook - steps : 0;
     if (cut > 0) steps += cut, evaluations += cut * cost.stable_evaluations;
   }
-  const bool ends_at_rows = ends_steps_at_rows(options.method);
-  if (ends_at_rows) steps = std::max(steps, pace.rows);
-  const double looks = pace.rows + (ends_at_rows ? 0 : pace.judgement_looks);
+  const WorkRatio& seen = pace.seen[static_cast<std::size_t>(options.method)];
+  if (ends_steps_at_rows(options.method))
+    return times({std::max(steps, pace.rows), evaluations + pace.rows * cost.evaluations_a_row}, seen);
   // A look between the steps of a method without dense output is a step of its own.
-  const double a_look = ends_at_rows || cost.evaluations_a_row == 1 ? cost.evaluations_a_row : an_evaluation;
-  return times({steps, evaluations + looks * a_look}, pace.seen[static_cast<std::size_t>(options.method)]);
+  const double a_look = cost.evaluations_a_row == 1 ? 1 : an_evaluation;
+  const Work motion = times({steps, evaluations}, seen);
+  return {motion.steps, motion.evaluations + (pace.rows + pace.judgement_looks) * a_look};
 }
 
 Work variational_work(const Pace& pace, double time_s, double relative_tolerance) {

@@ -101,7 +101,10 @@ class Looks {
   void see(IntegrationOptions options) {
     if (options.step_s || is_exact(options.method) || options.method == Method::long_horizon) return;
     options.stops_beyond_estimate = false;
-    const Work rule = estimated_work(*pace_, options, scene_->form(options) == ModelForm::reduced);
+    Pace without_looks = *pace_;
+    without_looks.judgement_looks = 0;
+    if (!ends_steps_at_rows(options.method)) without_looks.rows = 0;
+    const Work rule = estimated_work(without_looks, options, scene_->form(options) == ModelForm::reduced);
     const Release<T>& release = bare_.template problem<T>().release;
     auto stretch = drift_stretch(release, 0, 0, kFewSteps * whole_s_ / rule.steps, whole_s_, options);
     if (!stretch) return;
