@@ -54,8 +54,7 @@ Panel angle_panel(const Run& run, const Motion& motion) {
   panel.lines.push_back(
       line_of(motion, "its part in tilt", t, scaled(std::move(tilt), unit.per_si), LineColor::orange, LineStyle::dashed));
   if (has_later)
-    panel.lines.push_back(
-        line_of(motion, "not reliable", t, std::move(later), LineColor::grey, LineStyle::dotted, apart));
+    panel.lines.push_back(line_of(motion, "not reliable", t, std::move(later), LineColor::grey, LineStyle::dotted, apart));
   return panel;
 }
 

@@ -156,7 +156,7 @@ constexpr auto kDriftMembers = [] {
                [](R r) { return r.drift.secular->azimuth_rate_bound_95_rad_s; }),
       compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, any, kFromRows,
                [](R r) { return mean_precession_rate_change(*r.drift.secular); }),
-      compared("drift.secular.turns_seen", derived, any, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
+      compared("drift.secular.turns_seen", derived, motion, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
       told(
           "drift.secular.window_s", kFromRows, kOfScenario, [](R r) { return r.drift.secular->window_s; }, document),
       told("drift.secular.mean_of_window", kFromRows, kWords, [](R r) { return r.drift.secular->of_window; }),

@@ -71,8 +71,8 @@ struct SecularDrift {
   std::optional<double> turns_seen;                   ///< of the reference's azimuth within the window
   std::array<double, 2> window_s = {};                ///< begin and end of what the rate comes from
   std::optional<double> azimuth_oscillation_rad;      ///< largest distance from the line, half of the whole swing
-  bool of_window = false;  ///< whether the rate is only the mean over the window
-  std::string reason;      ///< why it is not determined, or why it is only a mean; else empty
+  bool of_window = false;                             ///< whether the rate is only the mean over the window
+  std::string reason;                                 ///< why it is not determined, or why it is only a mean; else empty
   double azimuth_oscillation_bound_rad = 0;           ///< bound on the error of the swing about the line of this rate
   /// When the azimuth drift is farthest below and above the line (s).
   std::array<double, 2> azimuth_oscillation_at_s = {};
