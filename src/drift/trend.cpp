@@ -215,6 +215,9 @@ constexpr double kOfDistinction = 0.4;
 constexpr double kOfNearness = 4, kNearest = 0.6;
 /// By how much larger the bound is where the frequencies are estimates.
 constexpr double kOfEstimated = 2;
+/// Where the drift swings by hundredths of a radian, what is of higher order in it is no longer small beside what is fitted. Counted over
+/// 1900 tops, half of them within five degrees of the vertical or on strings.
+constexpr double kOfSwings = 40, kLargest = 0.1;
 /// Rounding alone leaves this part of the largest drift in the fits.
 constexpr double kRounding = 1e-9;
 
@@ -268,8 +271,13 @@ TrendEstimate estimate_trend(std::span<const double> drift, double step_s, const
   const double nearness = std::min(std::abs(reference.precession_rad_s / reference.nutation_rad_s), kNearest);
   factor *= 1 + kOfNearness * nearness * nearness;
   if (!reference.exact) factor *= kOfEstimated;
-  double largest = 0;
-  for (const double value : drift) largest = std::max(largest, std::abs(value - drift[0]));
+  double largest = 0, least_rest = 0, most_rest = 0;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const double value = drift[i] - drift[0], rest = value - best.rate * step_s * static_cast<double>(i);
+    largest = std::max(largest, std::abs(value));
+    least_rest = std::min(least_rest, rest), most_rest = std::max(most_rest, rest);
+  }
+  factor *= 1 + kOfSwings * std::min((most_rest - least_rest) / 2, kLargest);
   return {best.rate, factor * std::sqrt(squares) + kRounding * largest / duration};
 }
 

@@ -21,8 +21,8 @@ struct TrendPlan {
   std::vector<double> times_s;                  ///< in equal steps from the release onward; none where no look is needed
 };
 
-/// The looks at a symmetric top are few: their times are in the golden ratio to its period of nutation, so that no multiple of
-/// the nutation looks like a slow swing. Other bodies are looked at three times in the period of their fastest turn.
+/// The looks at a symmetric top are few: their times are such that no multiple of the nutation, with or without the precession, looks
+/// like a slow swing. Other bodies are looked at three times in the period of their fastest turn.
 TrendPlan plan_trend(const Scene& scene);
 
 /// The trend without its swings, which come from the motion (largest_drift.hpp).

@@ -167,6 +167,22 @@ TEST(Trend, OfAPendulumAllowsForTheEllipseThatHardlyTurns) {
                                  1e-10);
 }
 
+// In 31,000 turns the rounding of the integration grows to 1e-7 of the rate. The first 400 turns do not have it.
+TEST(Trend, OfAVeryLongRunRestsOnItsFirstTurns) {
+  ReleaseSpec release;
+  release.tilt_deg = 96.3, release.azimuth_deg = -92.8, release.spin_rad_s = -127.4,
+  release.precession = Precession::steady_slow;
+  Scenario s = top_of("many turns", 0.8176, 0.0708, {4.2065e-3, 4.2065e-3, 2.123e-4}, release, {-82.8, 0, 0, 9.82}, 120);
+  const SecularDrift trend = run(s).drift.secular.value();
+  EXPECT_NEAR(*trend.turns_seen, 314, 1);
+  s.duration_s *= 100, s.output_step_s *= 100;
+  const SecularDrift of_longer = run(s).drift.secular.value();
+  EXPECT_NEAR(*of_longer.turns_seen, 400, 1);
+  EXPECT_LT(of_longer.window_s[1], 160);
+  constexpr double kOfRounding = 1e-9;
+  EXPECT_NEAR(*of_longer.azimuth_rate_rad_s, *trend.azimuth_rate_rad_s, kOfRounding * std::abs(*trend.azimuth_rate_rad_s));
+}
+
 // A thin disc nutates nearly twice a turn, and unequal moments come round twice a turn.
 TEST(Trend, OfAThinDiscAllowsForUnequalMomentsThatKeepPaceWithTheNutation) {
   ReleaseSpec release;
@@ -204,8 +220,9 @@ TEST(Trend, BoundHoldsForLongerRunsAndIsNoLooserThanItMustBe) {
   EXPECT_GE(inside, 57U);
   ASSERT_GE(ratios.size(), 15U);
   std::ranges::sort(ratios);
-  // Over 800 tops the median is 6; the ratios are spread so widely that the median of 20 scatters by a factor of 3.
-  EXPECT_LT(ratios[ratios.size() / 2], 20);
+  // Over 367 tops the median was 7.4. The ratios are so widely spread that 28 % are above 41, and of 27 of them, as here, the median is in
+  // one of 100 samples.
+  EXPECT_LT(ratios[ratios.size() / 2], 41);
 }
 
 TEST(Theory, IsWithinItsStatedErrorWhereItApplies) {
