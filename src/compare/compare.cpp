@@ -160,7 +160,8 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     if (!same_rows) report.notes.emplace_back("not compared: means over the rows, since the rows are different now");
     if (!both_of_motion)
       report.notes.emplace_back(
-          "not compared: largest values, swings and turns seen, since one of the results is of an older version, which took them from "
+          "not compared: largest values, swings and turns seen, since one of the results is of an older version, which took "
+          "them from "
           "its rows");
   }
   options.watch.reach(1);

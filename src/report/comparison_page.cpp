@@ -73,7 +73,7 @@ std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
                               {"difference", t, numbers(curve.at("difference"), 1)}},
                              130});
     html += page.chart(fmt::format("p{}q{}", number, count++), std::move(figure),
-                       fmt::format("Size of the difference in the {}, and its tolerance.", words));
+                       fmt::format("Size of the difference in the {}, and its tolerance, at rows that both have.", words));
   }
   return html;
 }
