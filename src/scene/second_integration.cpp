@@ -47,7 +47,7 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
     itself.relative_tolerance = first.relative_tolerance;
     series.method = Method::taylor;
     series.observer = Observer::laboratory;
-    constexpr double kUnnoticed = 0.05;  // s
+    constexpr double kUnnoticed = 0.1;  // s
     return scene.cost(series).seconds < std::max(kUnnoticed, scene.cost(itself).seconds) ? series : itself;
   }
   return second;
