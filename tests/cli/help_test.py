@@ -9,6 +9,7 @@ import fcntl
 import os
 import pty
 import re
+import select
 import shutil
 import struct
 import subprocess
@@ -50,16 +51,14 @@ def on_terminal(columns, *arguments, **more):
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     text = b""
     with subprocess.Popen([TOOL, *arguments], stdin=subprocess.DEVNULL, stdout=slave, stderr=subprocess.PIPE,
-                          env=environment(NO_COLOR="1", **more)):
-        os.close(slave)
-        while True:
-            try:
-                piece = os.read(master, 65536)
-            except OSError:  # the program has closed its side
-                break
-            if not piece:
-                break
-            text += piece
+                          env=environment(NO_COLOR="1", **more)) as program:
+        # The terminal stays open here until all is read: a terminal that its last program closes may lose what is under way.
+        ended = False
+        while not ended:
+            ended = program.poll() is not None
+            while select.select([master], [], [], 0.01)[0]:
+                text += os.read(master, 65536)
+    os.close(slave)
     os.close(master)
     return text.decode("utf-8").replace("\r\n", "\n")
 
