@@ -95,14 +95,21 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
   made.first = integrate_timed(problem, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
   made.solution.reason = scene.choice().reason;
   const Watch bound = parts.next(seconds.bound, "error bound");
-  if (!beside.take(made.first, made.looks.size(), made.second, made.certificate)) {
-    // Where an event has ended the first integration, the second goes on until it finds the event as well.
-    const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });
-    make_second(problem, made.looks, made.first.samples.size() + (ended ? 1 : 0), made.options);
+  // Where an event has ended the first integration, the second goes on until it finds the event as well.
+  const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });
+  const auto integrate_second = [&] {
+    DriftProblem<T> second = problem;
+    make_second(second, made.looks, made.first.samples.size() + (ended ? 1 : 0), made.options);
     if (made.other_options.method == made.options.method) made.other_options.kick_steps = made.first.kick_steps;
     made.other_options = within_estimate(scene, made.other_options);
-    made.second = integrate_timed(problem, made.other_options, precision, bound, made.certificate);
-  }
+    made.second = integrate_timed(second, made.other_options, precision, bound, made.certificate);
+  };
+  if (!beside.take(made.first, made.looks.size(), made.second, made.certificate)) integrate_second();
+  if (made.second.status == RunStatus::step_underflow && made.first.status == RunStatus::completed)
+    if (const auto looser = looser_second_options(scene, made.options, made.other_options)) {
+      made.other_options = *looser;
+      integrate_second();
+    }
   // What long_horizon states is what a second integration by itself would not see. A series sees all of it.
   if (made.options.method == Method::long_horizon && made.other_options.method == Method::taylor)
     for (DriftSample<T>& sample : made.first.samples) sample.drift_error = sample.attitude_error = T(0);

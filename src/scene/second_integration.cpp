@@ -48,8 +48,18 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
     series.method = Method::taylor;
     series.observer = Observer::laboratory;
     constexpr double kUnnoticed = 0.1;  // s
-    return scene.cost(series).seconds < std::max(kUnnoticed, scene.cost(itself).seconds) ? series : itself;
+    const double least_s = scenario.numerics.method == Method::long_horizon ? kUnnoticed : 0;
+    return scene.cost(series).seconds < std::max(least_s, scene.cost(itself).seconds) ? series : itself;
   }
+  return second;
+}
+
+std::optional<IntegrationOptions> looser_second_options(const Scene& scene, const IntegrationOptions& first,
+                                                        const IntegrationOptions& failed) {
+  constexpr double kLooser = 100, kLoosest = 0.1;
+  IntegrationOptions second = failed;
+  second.relative_tolerance = std::min(kLooser * first.relative_tolerance, kLoosest);
+  if (scene.scenario().effects.applied.coulomb_N_m == 0 || !(second.relative_tolerance > failed.relative_tolerance)) return {};
   return second;
 }
 

@@ -109,6 +109,29 @@ TEST(Bounds, AreCloseWithoutCoriolis) {
   EXPECT_TRUE(coverage.close()) << coverage.attitude.bound << " for an error of " << coverage.attitude.error;
 }
 
+/// At 1e4 rad/s the second integration's rounding in inertial axes happened to be near that of the rows: 0.84 of the bound was used.
+TEST(Bounds, HoldWithoutTorquesAtTenThousandRadiansASecond) {
+  Scenario s;
+  s.name = "without-centrifugal-and-transverse";
+  s.site = {-42.20936109142498, 0, 0, 9.838912018118892};
+  s.rotation_rate_rad_s = -0.08837553078029933;
+  s.body.mass_kg = 1.3553697855241724;
+  s.body.center_of_mass_m = {0.0006572050892077092, -0.0032419713958749376, 0.0020267473199753225};
+  set_principal(s.body, 0.0009793761613502085, 0.0008410574546666051, 0.000820765135965813);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.release.tilt_deg = 5.755382782992523;
+  s.release.azimuth_deg = -18.093929440099117;
+  s.release.spin_angle_deg = -68.2884137301085;
+  s.release.spin_rad_s = 11581.299988560835;
+  s.release.rates_relative_to = RatesRelativeTo::inertial;
+  s.effects.centrifugal = s.effects.transverse = false;
+  s.duration_s = 0.20126382658504507;
+  s.output_step_s = s.duration_s / 20;
+  const Coverage coverage = bound_coverage(s, Truth::bits64);
+  EXPECT_LE(coverage.used, 0.3);
+  EXPECT_TRUE(coverage.close()) << coverage.attitude.bound;
+}
+
 /// The everyday top: its bound was as wide as the change of the drift by 80 units in the last place of its inputs, a thousand times
 /// the error.
 TEST(Bounds, AreCloseForTheToyTop) {

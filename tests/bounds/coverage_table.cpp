@@ -3,7 +3,8 @@
 /// earthtop-bound-coverage --on-table [COUNT [LONGEST_S LARGEST_PHASE]] [--agreement | --growth | --truth] [--scenes] [on-table-STRATUM-INDEX]
 /// Counts how often the true error is below the stated bound, over COUNT random scenes in each stratum (46 by default), and
 /// prints a Markdown table by stratum. --by-hand: the scenes' method, tolerance, observer and form are chosen at random among
-/// those a user may name, and the table is by method. --survey: lengths, numbers of rows, precisions and tolerances are drawn, too.
+/// those a user may name, and the table is by method. --survey: lengths, numbers of rows, precisions and tolerances are drawn, too; both are compared
+/// with 64 bits, and with 113 where those have to decide.
 /// --only: strata whose name contains this word. FIRST: index of the first scene of a stratum. --on-table: tops on a table, in strata by the law of friction (30 scenes in
 /// each), compared with the equations of the other observer in 113 bits.
 /// --agreement: in double, how far laboratory and inertial equations are apart. --growth: how the growth of disturbances that the
@@ -207,7 +208,7 @@ int main(int argc, char** argv) {
       auto row = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == name; });
       if (row == table.end()) row = table.insert(row, {name, {}});
       try {
-        const Coverage c = bound_coverage(scenario, by_hand ? Truth::bits64 : Truth::bits113);
+        const Coverage c = bound_coverage(scenario, by_hand || survey ? Truth::bits64 : Truth::bits113);
         include(c, row->second);
         include(c, all);
         ++verdicts[std::string(to_string(c.verdict.verdict))];
