@@ -109,6 +109,49 @@ TEST(Bounds, AreCloseWithoutCoriolis) {
   EXPECT_TRUE(coverage.close()) << coverage.attitude.bound << " for an error of " << coverage.attitude.error;
 }
 
+/// The rounding of each step turns the axis of a top in steady fast precession alike in both integrations: its attitude was off by
+/// 1.4 times the bound.
+TEST(Bounds, HoldForAttitudesInFastPrecession) {
+  Scenario s;
+  s.name = "steady-fast";
+  s.site = {82.02724377054443, 0, 0, 9.78725826416599};
+  s.body.mass_kg = 0.16079404301430708;
+  s.body.center_of_mass_m = {0, 0, 0.016154617498491244};
+  set_principal(s.body, 4.7743821161744505e-05, 4.7743821161744505e-05, 9.06592991795388e-05);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.release.tilt_deg = 70.80194818526913;
+  s.release.azimuth_deg = -29.813186463034725;
+  s.release.spin_angle_deg = -155.571914414455;
+  s.release.spin_rad_s = 2960.5484047620225;
+  s.release.precession = Precession::steady_fast;
+  s.duration_s = 0.03578122369562214;
+  s.output_step_s = s.duration_s / 3;
+  const Coverage coverage = bound_coverage(s);
+  EXPECT_LE(coverage.used, 0.5);
+  EXPECT_LE(coverage.states.bound, 1e-11);
+}
+
+/// Dry friction jumps where a pendulum turns round. No step of the second integration was short enough.
+TEST(Bounds, ArePossibleWhereAPendulumTurnsRoundWithDryFriction) {
+  Scenario s;
+  s.name = "dry-pendulum";
+  s.site = {-90, 0, 0, 9.80645360451541};
+  s.body.mass_kg = 0.46810907863751955;
+  s.body.center_of_mass_m = {0, 0, -0.02634828978639687};
+  set_principal(s.body, 1.981577852588868e-05, 1.981577852588868e-05, 1.6245138848063385e-05);
+  s.body.inertia_about = InertiaAbout::center_of_mass;
+  s.release.tilt_deg = 0.007139164343520498;
+  s.release.azimuth_deg = -89.6550498773384;
+  s.release.spin_angle_deg = 179.68089814200897;
+  s.release.spin_rad_s = 0;
+  s.effects.applied.coulomb_N_m = 5.070342472652601e-07;
+  s.duration_s = 0.1082835672384913;
+  s.output_step_s = s.duration_s / 12;
+  const Coverage coverage = bound_coverage(s);
+  EXPECT_EQ(coverage.verdict.verdict, Verdict::reliable);
+  EXPECT_LE(coverage.used, 0.5);
+}
+
 /// At 1e4 rad/s the second integration's rounding in inertial axes happened to be near that of the rows: 0.84 of the bound was used.
 TEST(Bounds, HoldWithoutTorquesAtTenThousandRadiansASecond) {
   Scenario s;

@@ -15,7 +15,7 @@ struct BoundedError {
 };
 
 /// The truth is not exact either: where a gimbal holds a wheel that does not drift at all, it drifts by the rounding of 113 bits.
-inline constexpr double kTruthError = 1e-24;  // rad
+inline constexpr double kTruthError = 5e-24;  // rad
 
 struct Coverage {
   Method method = Method::automatic;
