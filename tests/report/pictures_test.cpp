@@ -303,10 +303,10 @@ TEST(ReadmePicture, IsNotAliased) {
     for (const Point& point : band) top = std::min(top, point.y), bottom = std::max(bottom, point.y);
   const Labels ticks = labels_in(panel, top - 60, bottom + 60);
   double low = HUGE_VAL, high = -HUGE_VAL;
-  constexpr double kLeft = 74, kWidth = 756, kDuration_s = 60;
+  constexpr double kLeft = 74, kPlotWidth = 756, kDuration_s = 60;
   for (const auto& band : drawn.bands)
     for (const Point& point : band) {
-      const double t_s = (point.x - kLeft) / kWidth * kDuration_s;
+      const double t_s = (point.x - kLeft) / kPlotWidth * kDuration_s;
       if (t_s < 41 || t_s > 45) continue;
       low = std::min(low, ticks.value(point.y)), high = std::max(high, ticks.value(point.y));
     }

@@ -13,6 +13,7 @@
 #include "plot/ticks.hpp"
 #include "results/made_up_run.hpp"
 #include "results/turns.hpp"
+#include "support/count.hpp"
 #include "support/json.hpp"
 #include "text/utf8.hpp"
 
@@ -20,13 +21,8 @@ namespace earthtop {
 namespace {
 
 using test::made_up_run;
+using testing::count;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t count(const std::string& text, std::string_view what) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
-  return found;
-}
 
 /// Checks that elements are closed in the right order, attributes are quoted, and the text has no bare & or <.
 void expect_well_formed(const std::string& xml) {

@@ -15,6 +15,7 @@
 #include "screen.hpp"
 #include "summary_text.hpp"
 #include "support/effect_scenes.hpp"
+#include "support/count.hpp"
 #include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 
@@ -22,12 +23,8 @@ namespace earthtop {
 namespace {
 
 using nlohmann::json;
+using testing::count;
 
-std::size_t count(const std::string& text, std::string_view what) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
-  return found;
-}
 bool has(const std::string& text, std::string_view what) { return text.find(what) != std::string::npos; }
 
 std::string page_of(const RunResult& result) {
