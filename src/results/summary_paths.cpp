@@ -108,6 +108,7 @@ Json example_of(const SummaryMember& member) {
     case MemberForm::object: return Json::object();
     case MemberForm::list: return Json::array({Json::object()});
     case MemberForm::document:
+      result.drift.secular.emplace().azimuth_oscillation_rad = 0;  // a member is asked for only where its object is there
       for (int kind = 0; kind < kKinds; ++kind) {
         result.scene = resolve(any_scenario(kind));
         join(example, member.value(result, 0));
