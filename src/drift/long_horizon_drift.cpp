@@ -91,11 +91,6 @@ class LongHorizonDrift {
   Top top_at(T epsilon) const {
     return Top(model_, symmetric_, problem_.release.q_LB, w_XB_B_, problem_.release.X, Vec3<T>(epsilon * model_.W_IL_L_scaled));
   }
-  T shortest_interval() const {
-    T shortest = times_.back() - times_.front();
-    for (std::size_t i = 1; i + 1 < times_.size(); ++i) shortest = std::min(shortest, T(times_[i] - times_[i - 1]));
-    return shortest;
-  }
   LongHorizonPlan<T> plan_of(const Top& top, T tolerance) {
     const T duration = times_.back();
     if (options_.step_s) {
@@ -103,7 +98,7 @@ class LongHorizonDrift {
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
     }
     LongHorizonPlan<T> plan = options_.kick_steps ? plan_from(top, *options_.kick_steps, problem_.units)
-                                                  : find_plan(top, duration, shortest_interval(), tolerance, counters_, watch_);
+                                                  : find_plan(top, duration, tolerance, counters_, watch_);
     found_ = {real::scale(plan.step, problem_.units.time_exponent), is_composed(plan) ? 0 : plan.schedule.kicks,
               plan.averaging};
     // Another observer asks for an independent check. It gets steps that are incommensurable with these, and an average over
@@ -113,9 +108,8 @@ class LongHorizonDrift {
   }
   bool is_second() const { return options_.observer != Observer::laboratory; }
   void set_step(const LongHorizonPlan<T>& plan) {
-    const T interval = times_[1] - times_[0];
     step_s_ = static_cast<double>(
-        real::scale(T(interval / std::max(T(1), std::ceil(interval / plan.step * (1 - 1e-12)))), problem_.units.time_exponent));
+        real::scale(T(times_.back() / T(steps_in(plan, times_.back()))), problem_.units.time_exponent));
   }
 
   Pair pair(const TiltedTopState<T>& rotating, const Top& top, T t, T epsilon) const {
@@ -142,19 +136,19 @@ class LongHorizonDrift {
   /// Makes one walk and notes the pair at each row. @param look  called with time and pair, at the rows and between them
   template <class Look>
   void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T longest_time_between_looks, Look&& look) {
-    LongHorizonWalk<T> walk(top, plan, counters_, watch_);
+    LongHorizonPath<T> path(top, plan, times_.back(), counters_, watch_);
     const Watch part = next_walk();
     pairs_.clear();
     for (std::size_t i = 0; i < times_.size() && goes_on(); ++i) {
-      part.reach(static_cast<double>(i) / static_cast<double>(times_.size()));
+      part.reach(static_cast<double>(times_[i] / times_.back()));
+      TiltedTopState<T> state = top.start();
       if (i > 0) {
-        const T begin = times_[i - 1];
-        if (!has_room_for((times_[i] - begin) / plan.step)) return;
-        walk.advance(times_[i] - begin, longest_time_between_looks,
-                     [&](T since, const TiltedTopState<T>& x) { look(begin + since, pair(x, top, begin + since, epsilon)); });
+        if (!has_room_for(path.steps_to(times_[i]))) return;
+        state = path.at(times_[i], longest_time_between_looks,
+                        [&](T t, const TiltedTopState<T>& x) { look(t, pair(x, top, t, epsilon)); });
       }
       if (!goes_on()) return;
-      const Pair p = i == 0 ? pair(top.start(), top, T(0), epsilon) : pair(walk.state(), top, times_[i], epsilon);
+      const Pair p = pair(state, top, times_[i], epsilon);
       if (!finite(p)) {
         trajectory_status_ = RunStatus::not_finite;
         return;
@@ -163,7 +157,7 @@ class LongHorizonDrift {
       look(times_[i], p);
     }
   }
-  /// Searches for the threshold, going from row to row once more. Each look between two rows takes walks of its own from the
+  /// Searches for the threshold, going from step to step once more. Each look between two steps takes walks of its own from the
   /// last position: the state of a walk is complete only where the walk stops, so states on its way are no use. Wherever the
   /// drift and its nutation might reach the threshold, looks lie close enough to resolve the nutation.
   ThresholdRecord<T> found_threshold() {
@@ -194,17 +188,14 @@ class LongHorizonDrift {
       return axis_look(t, state_at(t), state_at(t - apart), state_at(t + apart), T(T(2) * apart));
     };
     if (!walks.empty()) watch.follow(look_at(T(0)), look_at);
-    for (std::size_t row = 1; row < pairs_.size() && !walks.empty(); ++row) {
-      // Goes on in the walks' own steps, so that no look in between is more than the work of one step away.
-      const T interval = times_[row] - times_[row - 1];
-      const T steps = std::max(T(1), std::ceil(interval / walked_.front().plan.step * (1 - 1e-12)));
-      for (T step = T(1); step <= steps; step += T(1)) {
-        if (watch.done() || !goes_on()) return watch.record().in_seconds(problem_.units.time_exponent);
-        const T end = step == steps ? times_[row] : T(times_[row - 1] + interval * (step / steps));
-        watch.follow(watch.has_passed() ? axis_look(end, state_at(end)) : look_at(end), look_at);
-        for (LongHorizonWalk<T>& walk : walks) walk.advance(end - begin, T(0), [](T, const TiltedTopState<T>&) {});
-        begin = end;
-      }
+    // Goes on in the walks' own steps, so that no look in between is more than the work of one step away.
+    const T reached = pairs_.empty() ? T(0) : times_[pairs_.size() - 1];
+    const std::int64_t steps = walks.empty() ? 0 : steps_in(walked_.front().plan, times_.back());
+    for (std::int64_t step = 1; step <= steps && begin < reached && !watch.done() && goes_on(); ++step) {
+      const T end = std::min(reached, T(times_.back() * (T(step) / T(steps))));
+      watch.follow(watch.has_passed() ? axis_look(end, state_at(end)) : look_at(end), look_at);
+      for (LongHorizonWalk<T>& walk : walks) walk.advance(end - begin, T(0), [](T, const TiltedTopState<T>&) {});
+      begin = end;
     }
     return watch.record().in_seconds(problem_.units.time_exponent);
   }

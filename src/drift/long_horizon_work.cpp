@@ -34,15 +34,13 @@ double largest_node(const TiltedTop<double>& top, double duration, Averaging ave
 
 }  // namespace long_horizon
 
-LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem, const IntegrationOptions& options) {
+LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem, const IntegrationOptions& options,
+                                             double looks) {
   const Model<double>& model = problem.model;
-  const std::size_t rows = problem.times_s.size();
   LongHorizonDriftWork total;
-  if (rows < 2 || norm(model.W_IL_L_scaled) == 0) return total;
+  if (problem.times_s.size() < 2 || norm(model.W_IL_L_scaled) == 0) return total;
   const double duration = problem.units.time_from_s(problem.times_s.back());
-  const double last = duration - problem.units.time_from_s(problem.times_s[rows - 2]);
-  const double first = problem.units.time_from_s(problem.times_s[1] - problem.times_s[0]);
-  const double interval = rows > 2 ? first : last;
+  looks += static_cast<double>(problem.times_s.size() - 1);
 
   const ReducedTop<double> symmetric = reduced_top(model);
   const Vec3<double> w_XB_B = problem.units.rate_from_rad_s(problem.release.w_XB_B);
@@ -56,11 +54,10 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
     LongHorizonWork work;
     if (options.step_s) {
       const double step = problem.units.time_from_s(*options.step_s);
-      work = walking_work(make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance)), interval,
-                          static_cast<double>(rows - 1));
+      work = walking_work(top, make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance)), duration,
+                          looks);
     } else {
-      work = expected_work(top, duration, interval, tolerance, static_cast<double>(rows - 1),
-                           is_second ? long_horizon::kGoldenPart : 1);
+      work = expected_work(top, duration, tolerance, looks, is_second ? long_horizon::kGoldenPart : 1);
     }
     const bool searches = !options.step_s && !is_second;
     total.work.steps += walks * work.steps + (searches ? work.search_steps : 0);

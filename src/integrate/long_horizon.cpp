@@ -7,11 +7,11 @@
 namespace earthtop {
 namespace {
 
+/// The logarithm of (x h)^2s over the relative error with which s Gauss nodes integrate exp(i x t) over a step h.
+double gauss_gain(int s) { return real::log(2 * s + 1.0) + 3 * real::lgamma(2 * s + 1.0) - 4 * real::lgamma(s + 1.0); }
 /// The largest phase x h over a step h for which integration of exp(i x t) with s Gauss nodes keeps this relative error.
-double gauss_phase(int s, double error) {
-  const double log = real::log(error) - 4 * real::lgamma(s + 1.0) + real::log(2 * s + 1.0) + 3 * real::lgamma(2 * s + 1.0);
-  return real::exp(log / (2 * s));
-}
+double gauss_phase(int s, double error) { return real::exp((real::log(error) + gauss_gain(s)) / (2 * s)); }
+constexpr std::array kGaussKicks{1, 2, 3, 4, 6, 8};
 
 /// The smallest error that a run in double can resolve (rad).
 constexpr double kLeastError = 1e-12;
@@ -23,11 +23,6 @@ constexpr double kLeastGain = 4, kGain = 16;
 constexpr double kRoundOffAFlow = 2e-17;
 /// A difference between two trials that may be nothing but round-off (rad).
 constexpr double kLeastSquare = 1e-10;
-
-template <class T>
-T angle_between(const Vec3<T>& a, const Vec3<T>& b) {
-  return real::atan2(norm(Vec3<T>(a.cross(b))), a.dot(b));
-}
 
 /// How many times a trial looks at the top, and the number of steps between two looks. That number is whole, so that halving
 /// the plan's step really halves the steps taken.
@@ -58,15 +53,12 @@ class Trial {
       seen_[static_cast<std::size_t>(i)] = top.seen(walk.state(), part * T(i + 1) / T(looks));
     }
   }
-  /// How far two trials come apart (rad): the axis, or a thirtieth of the attitude's turn where that is more.
+  /// How far the attitudes of two trials come apart (rad).
   T distance(const Trial& other) const {
-    constexpr double kTurnShare = 1.0 / 30;
     T largest = T(0);
     for (std::size_t i = 0; i < static_cast<std::size_t>(looks_); ++i) {
-      const Mat3<T> R = rotation_matrix(seen_[i].q_LF), S = rotation_matrix(other.seen_[i].q_LF);
       const Quaternion<T> e = seen_[i].q_LF.conjugate() * other.seen_[i].q_LF;
-      const T turn = T(2) * real::atan2(norm(e.v), real::abs(e.w));
-      largest = std::max({largest, angle_between<T>(R.col(2), S.col(2)), T(kTurnShare) * turn});
+      largest = std::max(largest, T(T(2) * real::atan2(norm(e.v), real::abs(e.w))));
     }
     return largest;
   }
@@ -100,6 +92,21 @@ LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, co
   const KickSchedule schedule = steps.kicks > 0 ? kick_schedules::gauss(steps.kicks) : kick_schedules::aba864();
   const bool is_periodic = real::isfinite(top.nutation_period());
   return make_plan(top, schedule, units.time_from_s(steps.step_s), is_periodic ? steps.averaging : Averaging::none);
+}
+
+template <class T>
+std::vector<ShorterStep<T>> shorter_steps(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan) {
+  std::vector<ShorterStep<T>> steps;
+  const double rate = static_cast<double>(plan.averages() ? top.precession_rate() : top.fast_rate());
+  const double phase = 2 * rate * static_cast<double>(plan.step);
+  const int kicks = plan.schedule.kicks;
+  if (!is_composed(plan) && phase > 0) {
+    const double error = 2 * kicks * real::log(phase) - gauss_gain(kicks);  // logarithm
+    for (const int s : kGaussKicks)
+      if (s < kicks) steps.push_back({T(real::exp((error + gauss_gain(s)) / (2 * s)) / (2 * rate)), kick_schedules::gauss(s)});
+  }
+  steps.push_back({plan.step, plan.schedule});
+  return steps;
 }
 
 template <class T>
@@ -162,8 +169,8 @@ struct Guess {
 };
 
 template <class T>
-Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T interval, T asked) {
-  const Averaging averaging = may_average(top, duration, interval, std::max(asked, T(kLeastError)));
+Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T asked) {
+  const Averaging averaging = may_average(top, duration, duration, std::max(asked, T(kLeastError)));
   const bool averages = averaging != Averaging::none;
   const T tolerance = reachable(top, duration, asked, averaging);
   const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
@@ -172,9 +179,9 @@ Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T interval, T asked) {
   const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
   double least_work = std::numeric_limits<double>::infinity();
   KickSchedule schedule;
-  T step = interval;
-  for (const int s : {1, 2, 3, 4, 6, 8}) {
-    const double longest = gauss_phase(s, error) / (2 * rate), whole = static_cast<double>(interval);
+  T step = duration;
+  for (const int s : kGaussKicks) {
+    const double longest = gauss_phase(s, error) / (2 * rate), whole = static_cast<double>(duration);
     const double steps = std::max(1.0, std::ceil(whole / longest));
     if (const double work = s * steps; work < least_work) {
       least_work = work;
@@ -194,9 +201,8 @@ Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T interval, T asked) {
 }  // namespace
 
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T asked, StepCounters& counters,
-                             const Watch& watch) {
-  const Guess<T> guess = guess_plan(top, duration, interval, asked);
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T asked, StepCounters& counters, const Watch& watch) {
+  const Guess<T> guess = guess_plan(top, duration, asked);
   LongHorizonPlan<T> plan = guess.plan;
   if (!guess.needs_trial) return plan;
   const T tolerance = guess.tolerance, part = guess.part, growth = duration / part;
@@ -240,42 +246,48 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T 
 }
 
 template <class T>
-LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows) {
-  const double kicks = plan.schedule.kicks * plan.filter.flows();
+LongHorizonWork walking_work(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T duration, double looks) {
+  const auto steps = static_cast<double>(steps_in(plan, duration));
+  // Each look takes a step aside, from the last look within the same step.
+  const T aside = std::min(plan.step / T(2), duration / T(std::max(looks, 1.0)));
+  const std::vector<ShorterStep<T>> shorter = shorter_steps(top, plan);
+  const auto found = std::ranges::find_if(shorter, [&](const ShorterStep<T>& s) { return aside <= s.longest; });
+  const int kicks_aside = found == shorter.end() ? plan.schedule.kicks : found->schedule.kicks;
   LongHorizonWork work;
   work.averaging = plan.averaging;
-  work.steps = rows * std::max(1.0, std::ceil(static_cast<double>(interval / plan.step) * (1 - 1e-12)));
-  work.evaluations = work.steps * kicks + rows * (1 + plan.filter.ripple_flows());
+  work.steps = steps + looks;
+  work.evaluations = (steps * plan.schedule.kicks + looks * kicks_aside) * plan.filter.flows() +
+                     looks * (1 + plan.filter.ripple_flows());
   return work;
 }
 
 template <class T>
-LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share) {
-  const Guess<T> guess = guess_plan(top, duration, interval, tolerance);
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T tolerance, double looks, double share) {
+  const Guess<T> guess = guess_plan(top, duration, tolerance);
   LongHorizonPlan<T> plan = guess.plan;
   LongHorizonWork search;
   if (guess.needs_trial) {
     // A trial in steps of the length guessed, and one in half of it. Further ones follow if these disagree.
-    const double each = guess.looks.steps, looks = guess.looks.count;
-    plan.step = guess.part / T(each * looks);
-    search = walking_work(plan, T(guess.part / T(looks)), looks);
+    plan.step = guess.part / T(guess.looks.steps * guess.looks.count);
+    search = walking_work(top, plan, guess.part, 0);
     LongHorizonPlan<T> half = plan;
     half.step /= T(2);
-    const LongHorizonWork finer = walking_work(half, T(guess.part / T(looks)), looks);
+    const LongHorizonWork finer = walking_work(top, half, guess.part, 0);
     search.steps += finer.steps, search.evaluations += finer.evaluations;
   }
   plan.step *= T(share);
-  LongHorizonWork work = walking_work(plan, interval, rows);
+  LongHorizonWork work = walking_work(top, plan, duration, looks);
   work.search_steps = search.steps, work.search_evaluations = search.evaluations;
   return work;
 }
 
 template LongHorizonPlan<double> make_plan(const TiltedTop<double>&, const KickSchedule&, double, Averaging);
+template std::vector<ShorterStep<double>> shorter_steps(const TiltedTop<double>&, const LongHorizonPlan<double>&);
 template KickFilter<double> make_filter(const TiltedTop<double>&, Averaging, bool);
-template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, double, StepCounters&, const Watch&);
+template LongHorizonPlan<double> find_plan(const TiltedTop<double>&, double, double, StepCounters&, const Watch&);
 template LongHorizonPlan<double> plan_from(const TiltedTop<double>&, const KickSteps&, const NaturalUnits&);
-template LongHorizonWork walking_work(const LongHorizonPlan<double>&, double, double);
-template LongHorizonWork expected_work(const TiltedTop<double>&, double, double, double, double, double);
+template LongHorizonWork walking_work(const TiltedTop<double>&, const LongHorizonPlan<double>&, double, double);
+template LongHorizonWork expected_work(const TiltedTop<double>&, double, double, double, double);
 template double averaging_error(const TiltedTop<double>&, double, Averaging);
 template Averaging may_average(const TiltedTop<double>&, double, double, double);
 

@@ -11,10 +11,17 @@
 ///
 /// A step with spread kicks leaves out the ripple: the effect that the kicks have within a nutation period. The state at
 /// release contains its share of that. The ripple is evaluated by some further kicks; it is taken off at the start and put back at every output time.
+///
+/// The steps divide the whole run, whatever its output times. An output time within a step is reached by a shorter step aside, from
+/// which nothing goes on.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/watch.hpp"
@@ -28,7 +35,7 @@ namespace earthtop {
 template <class T>
 struct LongHorizonPlan {
   KickSchedule schedule;
-  T step = T(1);  ///< the longest step; the one taken divides the interval between two output times
+  T step = T(1);  ///< the longest step; the one taken divides the duration
   Averaging averaging = Averaging::none;
   KickFilter<T> filter;  ///< how kicks are spread
   bool averages() const { return averaging != Averaging::none; }
@@ -47,13 +54,12 @@ LongHorizonPlan<T> make_plan(const TiltedTop<T>& top, const KickSchedule& schedu
 template <class T>
 KickFilter<T> make_filter(const TiltedTop<T>& top, Averaging averaging, bool wider);
 
-/// The plan whose error over `duration` is about `tolerance` (rad, of the axis). It is found from an estimate and a trial on
+/// The plan whose error over `duration` is about `tolerance` (rad, of the attitude but for its turn by the spin). It is found from an estimate and a trial on
 /// part of the duration, in which the step is halved until two results agree.
-/// @param interval  the one between output times, which no step exceeds   @param counters  the trial's cost is added to them
+/// @param counters  the trial's cost is added to them
 /// @param watch  may end the trial early: the plan returned is then not checked
 template <class T>
-LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T interval, T tolerance, StepCounters& counters,
-                             const Watch& watch = {});
+LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T tolerance, StepCounters& counters, const Watch& watch = {});
 
 /// The work of `find_plan`, and of a walk by the plan.
 struct LongHorizonWork {
@@ -61,13 +67,13 @@ struct LongHorizonWork {
   double steps = 0, evaluations = 0;
   Averaging averaging = Averaging::none;
 };
-/// The work of a walk through this many intervals; nothing is searched.
+/// The work of a walk through the duration that is looked at so many times; nothing is searched.
 template <class T>
-LongHorizonWork walking_work(const LongHorizonPlan<T>& plan, T interval, double rows);
+LongHorizonWork walking_work(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T duration, double looks);
 /// The work expected of the search and of a walk, from the guess with which `find_plan` begins.
 /// @param share  the step taken in the walk, in steps found
 template <class T>
-LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T interval, T tolerance, double rows, double share = 1);
+LongHorizonWork expected_work(const TiltedTop<T>& top, T duration, T tolerance, double looks, double share = 1);
 
 /// Whether steps of this length may average over the nutation, and how finely they must: whether they are longer than its
 /// period, and keep the tolerance (rad) or an error that can be stated.
@@ -84,6 +90,22 @@ T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging);
 template <class T>
 LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units);
 
+/// The number of steps of a plan in this time.
+template <class T>
+std::int64_t steps_in(const LongHorizonPlan<T>& plan, T time) {
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(static_cast<double>(time / plan.step) * (1 - 1e-12))));
+}
+
+/// A schedule with fewer kicks, and the longest step in which it errs no more than a plan's own schedule does in the plan's step.
+template <class T>
+struct ShorterStep {
+  T longest;
+  KickSchedule schedule;
+};
+/// Such schedules, beginning with the fewest kicks; at last the plan's own one for its step.
+template <class T>
+std::vector<ShorterStep<T>> shorter_steps(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan);
+
 /// Moves a top through time by a plan.   @tparam Top  a TiltedTop, or one whose kicks do more
 template <class T, class Top = TiltedTop<T>>
 class LongHorizonWalk {
@@ -99,7 +121,26 @@ class LongHorizonWalk {
   /// @param look  called with the time since the interval's beginning and a state that is good enough for counting turns
   template <class Look>
   void advance(T interval, T longest_time_between_looks, Look&& look) {
-    lay_out(interval);
+    steps_ = steps_in(plan_, interval);
+    go(interval, plan_.schedule, longest_time_between_looks, look);
+  }
+  /// The same in one step of another schedule.
+  template <class Look>
+  void advance_by(T interval, const KickSchedule& schedule, T longest_time_between_looks, Look&& look) {
+    steps_ = 1;
+    go(interval, schedule, longest_time_between_looks, look);
+  }
+  /// The state at the end of the last interval, with its ripple.
+  TiltedTopState<T> state() const {
+    TiltedTopState<T> x = x_;
+    if (plan_.averages()) ripple(T(1), x);
+    return x;
+  }
+
+ private:
+  template <class Look>
+  void go(T interval, const KickSchedule& schedule, T longest_time_between_looks, Look&& look) {
+    step_ = interval / T(steps_);
     T position = T(0), looked = T(0), target = T(0);
     const auto move = [&]() {
       if (target == position) return;
@@ -113,13 +154,13 @@ class LongHorizonWalk {
       x_ = flow.at(target - position);
       position = target;
     };
-    const int kicks = plan_.schedule.kicks, parts = plan_.filter.parts;
+    const int kicks = schedule.kicks, parts = plan_.filter.parts;
     for (std::int64_t i = 0; i < steps_; ++i, backward_ = !backward_) {
       if (watch_.asks_to_stop()) return;
       for (int j = 0; j < kicks; ++j) {
         const bool backward = 2 * j + 1 == kicks ? backward_ : 2 * j + 1 > kicks;
-        const T at = (T(i) + T(plan_.schedule.at[static_cast<std::size_t>(j)])) * step_;
-        const T weight = T(plan_.schedule.weight[static_cast<std::size_t>(j)]) * step_;
+        const T at = (T(i) + T(schedule.at[static_cast<std::size_t>(j)])) * step_;
+        const T weight = T(schedule.weight[static_cast<std::size_t>(j)]) * step_;
         const auto pass = [&](bool back, T share) {
           for (int part = 0; part < parts; ++part) {
             const auto k = static_cast<std::size_t>(back ? parts - 1 - part : part);
@@ -140,19 +181,6 @@ class LongHorizonWalk {
     target = interval;
     move();
     counters_.accepted += steps_;
-  }
-  /// The state at the end of the last interval, with its ripple.
-  TiltedTopState<T> state() const {
-    TiltedTopState<T> x = x_;
-    if (plan_.averages()) ripple(T(1), x);
-    return x;
-  }
-
- private:
-  void lay_out(T interval) {
-    steps_ = static_cast<std::int64_t>(std::ceil(static_cast<double>(interval / plan_.step) * (1 - 1e-12)));
-    if (steps_ < 1) steps_ = 1;
-    step_ = interval / T(steps_);
   }
 
   /// Adds the ripple (sign = 1) or takes it off (sign = -1).
@@ -179,6 +207,59 @@ class LongHorizonWalk {
   std::int64_t steps_ = 1;
   T step_ = T(0);
   bool backward_ = false;  ///< whether the parts of a middle kick come in backward order
+};
+
+/// A top's way through a whole run in equal steps, seen at any times. A time within a step is reached by a walk aside, in as few
+/// kicks as its shorter step needs, so that the way does not depend on the times at which it is seen.
+template <class T>
+class LongHorizonPath {
+ public:
+  LongHorizonPath(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T duration, StepCounters& counters, const Watch& watch)
+      : plan_(in_equal_steps(plan, duration)), shorter_(shorter_steps(top, plan_)), walk_(top, plan_, counters, watch) {}
+  LongHorizonPath(const LongHorizonPath&) = delete;
+  LongHorizonPath& operator=(const LongHorizonPath&) = delete;
+
+  /// The number of steps up to this time, which is not before the last one asked for.
+  T steps_to(T t) const { return t / plan_.step - T(done_); }
+  /// Returns the state at a time that is not before the last one asked for, with its ripple.
+  /// @param look  called with increasing times on the way, and states that are good enough for counting turns
+  template <class Look>
+  TiltedTopState<T> at(T t, T longest_time_between_looks, Look&& look) {
+    const auto seen = [&](T begin) {
+      return [&, begin](T since, const TiltedTopState<T>& x) {
+        if (begin + since > looked_) looked_ = begin + since, look(looked_, x);
+      };
+    };
+    const auto whole = static_cast<std::int64_t>(std::floor(static_cast<double>(t / plan_.step) * (1 + 1e-12)));
+    if (whole > done_) {
+      walk_.advance(T(whole - done_) * plan_.step, longest_time_between_looks, seen(T(done_) * plan_.step));
+      done_ = whole;
+    }
+    const T step_begin = T(done_) * plan_.step;
+    if (!(t - step_begin > T(1e-12) * plan_.step)) return walk_.state();
+    if (!aside_ || aside_at_ < step_begin) aside_.emplace(walk_), aside_at_ = step_begin;
+    if (const T rest = t - aside_at_; rest > T(0)) {
+      const auto shorter = std::ranges::find_if(shorter_, [&](const ShorterStep<T>& s) { return rest <= s.longest; });
+      aside_->advance_by(rest, shorter == shorter_.end() ? plan_.schedule : shorter->schedule, longest_time_between_looks,
+                         seen(aside_at_));
+      aside_at_ = t;
+    }
+    return aside_->state();
+  }
+
+ private:
+  static LongHorizonPlan<T> in_equal_steps(LongHorizonPlan<T> plan, T duration) {
+    if (duration > T(0)) plan.step = duration / T(steps_in(plan, duration));
+    return plan;
+  }
+
+  LongHorizonPlan<T> plan_;
+  std::vector<ShorterStep<T>> shorter_;
+  LongHorizonWalk<T> walk_;
+  std::int64_t done_ = 0;                    ///< steps of the way
+  std::optional<LongHorizonWalk<T>> aside_;  ///< goes on from look to look within a step
+  T aside_at_ = T(0);                        ///< its time
+  T looked_ = T(0);        ///< time of the last look
 };
 
 }  // namespace earthtop

@@ -19,15 +19,13 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
   const Top top(problem.model, symmetric, problem.release.q_LB, w_XB_B, problem.release.X, problem.model.W_IL_L);
   MotionTrajectory<double> trajectory;
   trajectory.samples.reserve(times.size());
-  double shortest = times.back();
-  for (std::size_t i = 1; i + 1 < times.size(); ++i) shortest = std::min(shortest, times[i] - times[i - 1]);
   const double tolerance = options.relative_tolerance;
   LongHorizonPlan<double> plan;
   if (options.step_s) {
     const double step = problem.units.time_from_s(*options.step_s);
     plan = make_plan(top, kick_schedules::gauss(4), step, may_average(top, times.back(), step, tolerance));
   } else if (times.back() > 0) {
-    plan = find_plan(top, times.back(), shortest, tolerance, trajectory.counters, watch);
+    plan = find_plan(top, times.back(), tolerance, trajectory.counters, watch);
   }
   // Each attitude has two quaternions, q and -q. Looking this often keeps the frame's quaternion continuous.
   const double longest_time_between_looks = top.frame_rate() > 0 ? 1.5 / top.frame_rate() : 0;
@@ -36,18 +34,15 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     if (q.w * last.w + q.v.dot(last.v) < 0) q = {-q.w, -q.v};
     last = q;
   };
-  LongHorizonWalk<double> walk(top, plan, trajectory.counters, watch);
+  LongHorizonPath<double> path(top, plan, times.back(), trajectory.counters, watch);
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (trajectory.counters.accepted > options.step_limit) trajectory.status = RunStatus::step_limit;
     if (trajectory.status != RunStatus::completed) break;
     watch.reach(static_cast<double>(i) / static_cast<double>(times.size()));
     TiltedTopState<double> x = top.start();
-    if (i > 0) {
-      const double begin = times[i - 1];
-      walk.advance(times[i] - begin, longest_time_between_looks,
-                   [&](double since, const TiltedTopState<double>& between) { follow(top.seen(between, begin + since).q_LF); });
-      x = walk.state();
-    }
+    if (i > 0)
+      x = path.at(times[i], longest_time_between_looks,
+                  [&](double t, const TiltedTopState<double>& between) { follow(top.seen(between, t).q_LF); });
     if (watch.asks_to_stop()) {
       trajectory.status = RunStatus::interrupted;
       break;

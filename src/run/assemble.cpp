@@ -281,7 +281,7 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
     if (stop()) return stopped(scene, made, options.partial);
     result.drift.secular = assess_trend(result, made.plan.trend, azimuths);
     if (stop()) return stopped(scene, made, options.partial);
-    if (options.between) assess_largest(source_of(scene, made, rows), judged, result);
+    if (options.between) assess_largest(source_of(scene, made, parts.next(seconds.largest, "largest drifts")), judged, result);
     if (stop()) return stopped(scene, made, options.partial);
     result.theory = assess_theory(scene, result.looks, result.drift);
     result.why = why_sentences(result);

@@ -2,6 +2,7 @@
 /// Looks at the motion between the rows of a run: what the first integration has shown there, or what another one shows.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -72,7 +73,7 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
   Looks looks;
   looks.add(made.plan.trend.times_s, LookFor::trend);
   looks.add(made.plan.picture.times_s, LookFor::picture);
-  if (between.empty()) between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch).samples;
+  if (between.empty()) between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch.with_progress(nullptr)).samples;
   while (!between.empty() && between.back().state.t_s > result.reached_s) between.pop_back();
   std::vector<AzimuthSample> azimuths;
   for (std::size_t i = 0; i < between.size(); ++i)
@@ -91,11 +92,17 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
 /// Where the search for largest values takes further looks from.
 template <class T>
 LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const Watch& watch) {
-  const auto look = [&scene, &made, watch](std::vector<double> times_s) {
-    return rows_of(scene, made.first.contact_events,
-                   look_again(scene, std::move(times_s), made.options, made.first.kick_steps, watch).samples);
+  // It is not known how often the motion is integrated again: each time takes a third of what is left of the progress.
+  const auto next = [watch, left = std::make_shared<double>(1)] {
+    const double before = *left;
+    *left *= 2.0 / 3;
+    return watch.part(1 - before, 1 - *left);
   };
-  const auto exact = [&scene, &made, watch](std::vector<double> times_s) {
+  const auto look = [&scene, &made, next](std::vector<double> times_s) {
+    return rows_of(scene, made.first.contact_events,
+                   look_again(scene, std::move(times_s), made.options, made.first.kick_steps, next()).samples);
+  };
+  const auto exact = [&scene, &made, next](std::vector<double> times_s) {
     DriftProblem<T> problem = scene.problem<T>();
     problem.threshold_rad.reset();
     problem.times_s = std::move(times_s);
@@ -104,7 +111,7 @@ LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const W
     options.kick_steps = made.first.kick_steps;
     std::vector<ExtendedDriftRow> rows;
     for (const BasicDriftRow<T>& row :
-         rows_of(scene, made.first.contact_events, integrate_drift(problem, options, watch.with_progress(nullptr)).samples))
+         rows_of(scene, made.first.contact_events, integrate_drift(problem, options, next()).samples))
       rows.push_back(row_cast<float128>(row));
     return rows;
   };

@@ -13,10 +13,10 @@ namespace {
 
 /// Returns times at which the errors of a run are judged. They begin close together, since bounds grow from the release onward, and are
 /// shifted within their intervals by multiples of the golden ratio, so that no nutation is seen at one phase only.
-std::vector<double> judgement_times(double duration_s) {
+std::vector<double> judgement_times(double duration_s, int looks) {
   std::vector<double> times{0};
-  for (int k = 1; k < kJudgementLooks; ++k) {
-    const double turn = k / std::numbers::phi, share = (k - 0.5 + 0.9 * (turn - std::floor(turn) - 0.5)) / kJudgementLooks;
+  for (int k = 1; k < looks; ++k) {
+    const double turn = k / std::numbers::phi, share = (k - 0.5 + 0.9 * (turn - std::floor(turn) - 0.5)) / looks;
     times.push_back(duration_s * share * share);
   }
   times.push_back(duration_s);
@@ -77,11 +77,6 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   return plan;
 }
 
-/// Whether the states of the run do not depend on where they are looked at.
-bool looks_freely(const IntegrationOptions& options) {
-  return !ends_steps_at_rows(options.method) && options.method != Method::long_horizon;
-}
-
 }  // namespace
 
 void Looks::add(std::span<const double> added_s, LookFor purpose) {
@@ -113,7 +108,8 @@ Looks Looks::compared(std::size_t count) const {
 LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first) {
   LookPlan plan{plan_trend(scene), {}, {}};
   plan.picture = plan_pictures(scene, plan.trend.frequencies);
-  if (looks_freely(first)) plan.judged_s = judgement_times(scene.scenario().duration_s);
+  if (!ends_steps_at_rows(first.method))
+    plan.judged_s = judgement_times(scene.scenario().duration_s, judgement_looks(first.method));
   return plan;
 }
 
@@ -146,7 +142,7 @@ DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times
     }
   }
   again.relative_tolerance = std::max(again.relative_tolerance, least_tolerance(Precision::bits53));
-  return integrate_drift(problem, again, watch.with_progress(nullptr));
+  return integrate_drift(problem, again, watch);
 }
 
 }  // namespace earthtop

@@ -38,7 +38,7 @@ bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() &&
 /// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster. The
 /// number of output rows has no part in it: they change no digit of a series.
 bool has_long_horizon(const Scene& given) {
-  constexpr double kGain = 1.5, kRows = 1000;
+  constexpr double kGain = 1.5, kRows = 200;
   if (given.method_refusal(Method::long_horizon)) return false;
   Scenario usual = given.scenario();
   usual.output_step_s = usual.duration_s / kRows;

@@ -26,6 +26,8 @@ TopFigures top_figures_of(const Scene& scene);
 
 /// The number of times besides its rows at which a run looks at its two integrations, to judge their errors.
 inline constexpr int kJudgementLooks = 480;
+/// The same for one method: long_horizon takes a step aside for each look.
+constexpr int judgement_looks(Method method) { return method == Method::long_horizon ? kJudgementLooks / 8 : kJudgementLooks; }
 
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);

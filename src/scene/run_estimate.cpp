@@ -53,10 +53,13 @@ RunEstimate estimate_run(const Scene& scene) {
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();
   seconds.bound = second.seconds + row.integrated * scene.rows();
-  constexpr double kLooksARadian = 2,
-                   kMostLooks = 24'000;  // for pictures and largest values, half of which need one more integration
-  const double looks = std::min(kMostLooks, kLooksARadian * scene.pace().axis_rate_rad_s * scenario.duration_s);
-  seconds.rows = row.assessed * (scene.rows() + looks) + first.seconds / 2;
+  constexpr double kLooksARadian = 2, kMostLooks = 24'000;  // for pictures
+  const double looks = kLooksARadian * scene.pace().axis_rate_rad_s * scenario.duration_s;
+  seconds.rows = row.assessed * (scene.rows() + std::min(kMostLooks, looks));
+  // The drift is computed anew at the times of the largest values in half of the runs; where windows stand for a long run, they are
+  // narrowed in two or three integrations more.
+  constexpr double kOnce = 0.5, kNarrowed = 2.5;
+  seconds.largest = first.seconds * (looks < kMostLooks ? kOnce : kNarrowed);
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = row.assessed * scene.rows();
   if (scenario.sensitivities)

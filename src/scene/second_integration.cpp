@@ -48,7 +48,8 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
     series.method = Method::taylor;
     series.observer = Observer::laboratory;
     constexpr double kUnnoticed = 0.1;  // s
-    return scene.cost(series).seconds < std::max(kUnnoticed, scene.cost(itself).seconds) ? series : itself;
+    const double least_s = scenario.numerics.method == Method::long_horizon ? kUnnoticed : 0;
+    return scene.cost(series).seconds < std::max(least_s, scene.cost(itself).seconds) ? series : itself;
   }
   return second;
 }

@@ -39,8 +39,9 @@ namespace earthtop {
 /// Earth's rate, the rounding of that difference is larger than the error of the rows by up to 1e8 times. Steps are sized for a
 /// deviation of first order, so the tolerance may be the least one.
 ///
-/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself, or so little
-/// that nobody notices it: its bound is then that of a series, and what long_horizon states of its own error adds nothing to it.
+/// long_horizon is checked by `taylor`, which follows the nutation, where that takes less time than long_horizon itself or, if a
+/// scenario names long_horizon, so little that nobody notices it: its bound is then that of a series, and what long_horizon states
+/// of its own error adds nothing to it. Where `auto` has taken long_horizon for its speed the cost decides alone, without a cliff.
 /// Elsewhere it checks itself, with steps that are shorter than the first ones and incommensurate with them (the observer
 /// selects them), so that they excite a different nutation; finding the steps by trial again would give the first steps.
 /// @param first  the options of the run's first integration

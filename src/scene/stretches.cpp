@@ -213,7 +213,7 @@ class Looks {
     DriftProblem<T> problem = problem_of(begun, part, length_s, stands_for_s);
     // Only rows at which steps have to end are wanted.
     const double row_s = scene_->scenario().output_step_s;
-    if (!!ends_steps_at_rows(options.method))
+    if (ends_steps_at_rows(options.method))
       for (std::int64_t k = 1; k <= options.step_limit && double(k) * row_s < length_s; ++k)
         problem.times_s.insert(problem.times_s.end() - 1, problem.times_s.front() + double(k) * row_s);
     const auto done = integrate_drift(problem, options);

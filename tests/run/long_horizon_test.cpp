@@ -363,12 +363,12 @@ TEST(LongHorizon, TheChoiceHasNoCliffs) {
     const RunSeconds estimated = Scene(scene).estimate().seconds;
     return estimated.solution + estimated.bound;
   };
-  constexpr double kHardlyAny_s = 2e-3;
+  constexpr double kHardlyAny_s = 2e-2;
   for (double duration_s = 2, before = 0; duration_s < 1000; duration_s *= 1.4) {
     const double now = seconds(fast_gyro(duration_s, 20)) + kHardlyAny_s;
     if (before > 0) {
       EXPECT_LT(now, 3 * before) << duration_s;
-      EXPECT_GT(now, before / 3) << duration_s;
+      EXPECT_GT(now, before / 4) << duration_s;  // where one walk begins to suffice instead of five
     }
     before = now;
   }

@@ -235,8 +235,11 @@ constexpr bool is_exact(Method method) {
   return row_of(method).step_s == Need::none && row_of(method).relative_tolerance == Need::none;
 }
 
-/// Returns whether a step ends at each output row, so that rows change the rounding of the motion: only fixed steps do.
-constexpr bool ends_steps_at_rows(Method method) { return row_of(method).step_s != Need::none; }
+/// Returns whether a step ends at each output row, so that rows change the rounding of the motion: only fixed steps do, but for those
+/// of long_horizon, which takes a step aside to a row.
+constexpr bool ends_steps_at_rows(Method method) {
+  return row_of(method).step_s != Need::none && method != Method::long_horizon;
+}
 
 /// Returns all methods in the order given by `place_in_menus` or `place_in_bench`. @param place  one of these two members
 constexpr std::array<Method, kMethodCount> methods_by(int MethodRow::*place) {

@@ -53,8 +53,8 @@ struct IntegrationCost {
 
 /// Estimated times of the phases of a run on one core (s), within a factor of a few; 0 for a phase that the run does not have.
 struct RunSeconds {
-  double solution = 0, bound = 0, rows = 0, growth = 0, sensitivities = 0, ledger = 0;
-  double all() const { return solution + bound + rows + growth + sensitivities + ledger; }
+  double solution = 0, bound = 0, rows = 0, growth = 0, sensitivities = 0, largest = 0, ledger = 0;
+  double all() const { return solution + bound + rows + growth + sensitivities + largest + ledger; }
 };
 
 /// Estimated cost of a run, within a factor of a few. The choice of effects, if the scenario leaves it open, is not included.
