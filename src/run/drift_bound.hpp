@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "earthtop/drift/drift_integration.hpp"
 
@@ -47,6 +49,25 @@ void nudge_contact(Contact<T>& contact, T unit) {
 /// exactly zero, changes by units of the largest one.
 enum class Nudged { components, whole };
 
+/// By how much each component (w, x, y, z) of an attitude changes, in units of the nudge: the usual change, and others for an attitude
+/// whose tilt or azimuth the usual one happens to leave alone. (A gyroscope that a gimbal holds level drifts by its tilt's rounding.)
+template <class T>
+std::array<double, 4> attitude_nudge(const Quaternion<T>& q_LB) {
+  constexpr std::array<std::array<double, 4>, 4> kChanges{
+      {{1, -1, 0.5, -0.5}, {1, -0.2, 0.6, -0.7}, {-0.3, 1, 0.5, 0.8}, {0.7, 0.4, -1, 0.1}}};
+  constexpr double kSeen = 0.1, kUpright = 1e-3;
+  const Quaternion<double> q{static_cast<double>(q_LB.w), q_LB.v.template cast<double>()};
+  const Vec3<double> up_B = rotation_matrix(q).row(2).transpose();
+  const double across = std::hypot(up_B[0], up_B[1]);
+  if (across < kUpright) return kChanges[0];
+  const auto seen = [&](const std::array<double, 4>& change) {  // the smaller one of the changes of tilt and azimuth
+    const Quaternion<double> changed{change[0] * q.w, Vec3<double>(change[1] * q.v[0], change[2] * q.v[1], change[3] * q.v[2])};
+    const Vec3<double> turn = 2 * (q.conjugate() * changed).v;
+    return std::min(std::abs(turn[1] * up_B[0] - turn[0] * up_B[1]), std::abs(turn[0] * up_B[0] + turn[1] * up_B[1])) / across;
+  };
+  return seen(kChanges[0]) > kSeen ? kChanges[0] : *std::ranges::max_element(kChanges, {}, seen);
+}
+
 /// Changes the attitude, rates and moments of a problem by some units in the last place, in no special direction. The change is
 /// well above the rounding of the scene to T, so that a nudged run does not share this error with a run that is not nudged.
 template <class T>
@@ -59,8 +80,10 @@ void nudge(DriftProblem<T>& problem, T units, Nudged nudged) {
     q_LB = (q_LB * Quaternion<T>{T(1), turn / T(2)}).normalized();
     w_XB_B += kUnit * norm(w_XB_B) * Vec3<T>(T(0.6), T(-0.5), T(-0.7));
   } else {
-    const Vec3<T> v = q_LB.v.cwiseProduct(Vec3<T>(T(1) - kUnit, T(1) + kUnit / T(2), T(1) - kUnit / T(2)));
-    q_LB = Quaternion<T>{q_LB.w * (T(1) + kUnit), v}.normalized();
+    const std::array<double, 4> change = attitude_nudge(q_LB);
+    Vec3<T> v = q_LB.v;
+    for (int i = 0; i < 3; ++i) v[i] *= T(1) + T(change[static_cast<std::size_t>(i) + 1]) * kUnit;
+    q_LB = Quaternion<T>{q_LB.w * (T(1) + T(change[0]) * kUnit), v}.normalized();
     w_XB_B = w_XB_B.cwiseProduct(Vec3<T>(T(1) + kUnit, T(1) + kUnit / T(2), T(1) - kUnit));
   }
   problem.model.mass_moment_B *= T(1) + kUnit;
