@@ -108,8 +108,8 @@ class LongHorizonDrift {
   }
   bool is_second() const { return options_.observer != Observer::laboratory; }
   void set_step(const LongHorizonPlan<T>& plan) {
-    step_s_ = static_cast<double>(
-        real::scale(T(times_.back() / T(steps_in(plan, times_.back()))), problem_.units.time_exponent));
+    step_s_ =
+        static_cast<double>(real::scale(T(times_.back() / T(steps_in(plan, times_.back()))), problem_.units.time_exponent));
   }
 
   Pair pair(const TiltedTopState<T>& rotating, const Top& top, T t, T epsilon) const {

@@ -54,8 +54,8 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
     LongHorizonWork work;
     if (options.step_s) {
       const double step = problem.units.time_from_s(*options.step_s);
-      work = walking_work(top, make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance)), duration,
-                          looks);
+      work = walking_work(top, make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance)),
+                          duration, looks);
     } else {
       work = expected_work(top, duration, tolerance, looks, is_second ? long_horizon::kGoldenPart : 1);
     }

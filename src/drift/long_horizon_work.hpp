@@ -19,7 +19,8 @@ struct LongHorizonDriftWork {
 /// @param problem  of a top symmetric about body axis 3
 /// @param options  with an observer other than the laboratory for the second integration, which takes over the steps of the
 /// first one   @param looks  the number of times, beside the problem's, at which the motions are looked at
-LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem, const IntegrationOptions& options, double looks);
+LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem, const IntegrationOptions& options,
+                                             double looks);
 
 namespace long_horizon {
 

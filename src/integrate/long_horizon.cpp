@@ -256,8 +256,8 @@ LongHorizonWork walking_work(const TiltedTop<T>& top, const LongHorizonPlan<T>& 
   LongHorizonWork work;
   work.averaging = plan.averaging;
   work.steps = steps + looks;
-  work.evaluations = (steps * plan.schedule.kicks + looks * kicks_aside) * plan.filter.flows() +
-                     looks * (1 + plan.filter.ripple_flows());
+  work.evaluations =
+      (steps * plan.schedule.kicks + looks * kicks_aside) * plan.filter.flows() + looks * (1 + plan.filter.ripple_flows());
   return work;
 }
 

@@ -214,7 +214,8 @@ class LongHorizonWalk {
 template <class T>
 class LongHorizonPath {
  public:
-  LongHorizonPath(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T duration, StepCounters& counters, const Watch& watch)
+  LongHorizonPath(const TiltedTop<T>& top, const LongHorizonPlan<T>& plan, T duration, StepCounters& counters,
+                  const Watch& watch)
       : plan_(in_equal_steps(plan, duration)), shorter_(shorter_steps(top, plan_)), walk_(top, plan_, counters, watch) {}
   LongHorizonPath(const LongHorizonPath&) = delete;
   LongHorizonPath& operator=(const LongHorizonPath&) = delete;
@@ -259,7 +260,7 @@ class LongHorizonPath {
   std::int64_t done_ = 0;                    ///< steps of the way
   std::optional<LongHorizonWalk<T>> aside_;  ///< goes on from look to look within a step
   T aside_at_ = T(0);                        ///< its time
-  T looked_ = T(0);        ///< time of the last look
+  T looked_ = T(0);                          ///< time of the last look
 };
 
 }  // namespace earthtop

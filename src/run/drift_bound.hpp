@@ -58,7 +58,7 @@ std::array<double, 4> attitude_nudge(const Quaternion<T>& q_LB) {
   constexpr double kSeen = 0.1, kUpright = 1e-3;
   const Quaternion<double> q{static_cast<double>(q_LB.w), q_LB.v.template cast<double>()};
   const Vec3<double> up_B = rotation_matrix(q).row(2).transpose();
-  const double across = std::hypot(up_B[0], up_B[1]);
+  const double across = real::hypot(up_B[0], up_B[1]);
   if (across < kUpright) return kChanges[0];
   const auto seen = [&](const std::array<double, 4>& change) {  // the smaller one of the changes of tilt and azimuth
     const Quaternion<double> changed{change[0] * q.w, Vec3<double>(change[1] * q.v[0], change[2] * q.v[1], change[3] * q.v[2])};

@@ -73,7 +73,8 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
   Looks looks;
   looks.add(made.plan.trend.times_s, LookFor::trend);
   looks.add(made.plan.picture.times_s, LookFor::picture);
-  if (between.empty()) between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch.with_progress(nullptr)).samples;
+  if (between.empty())
+    between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch.with_progress(nullptr)).samples;
   while (!between.empty() && between.back().state.t_s > result.reached_s) between.pop_back();
   std::vector<AzimuthSample> azimuths;
   for (std::size_t i = 0; i < between.size(); ++i)

@@ -55,7 +55,8 @@ bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
 IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options) {
   // Between the parts of a kick that is spread over the nutation, the closed form is set up in double.
   constexpr double kSecondsALook = 1e-6, kAveraging = 8.5e-7, kFollowing = 2.5e-6;
-  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, judgement_looks(options.method));
+  const LongHorizonDriftWork expected =
+      long_horizon_drift_work(scene.problem<double>(), options, judgement_looks(options.method));
   const double each = expected.averages ? kAveraging : kFollowing;
   return {expected.work, each * expected.work.evaluations + kSecondsALook * expected.looks};
 }

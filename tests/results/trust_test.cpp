@@ -14,8 +14,8 @@
 #include "run/verdict.hpp"
 #include "screen.hpp"
 #include "summary_text.hpp"
-#include "support/effect_scenes.hpp"
 #include "support/count.hpp"
+#include "support/effect_scenes.hpp"
 #include "support/json.hpp"
 #include "support/temporary_directory.hpp"
 

@@ -130,10 +130,12 @@ TEST(Scene, EstimatesTheSumOfItsPhases) {
     s.sensitivities = true;
   });
   const RunSeconds& seconds = top.estimate().seconds;
-  for (const double part : {seconds.solution, seconds.bound, seconds.rows, seconds.sensitivities, seconds.largest, seconds.ledger})
+  for (const double part :
+       {seconds.solution, seconds.bound, seconds.rows, seconds.sensitivities, seconds.largest, seconds.ledger})
     EXPECT_GT(part, 0);
   EXPECT_EQ(seconds.growth, 0);  // a fast symmetric top is next to a closed form, far from every separatrix
-  EXPECT_DOUBLE_EQ(seconds.all(), seconds.solution + seconds.bound + seconds.rows + seconds.sensitivities + seconds.largest + seconds.ledger);
+  EXPECT_DOUBLE_EQ(seconds.all(),
+                   seconds.solution + seconds.bound + seconds.rows + seconds.sensitivities + seconds.largest + seconds.ledger);
   EXPECT_EQ(top.estimate().solution.steps, top.cost(top.choice().options).work.steps);
   EXPECT_GT(Scene(testing::asymmetric_top()).estimate().seconds.growth, 0);
   const Scene plain = testing::toy_top();
