@@ -50,7 +50,7 @@ Complex<double> mean_integral(const TopOnEarth& scene, const MeanRates& rates) {
 /// How the constants of the motion differ from those of the reference, on average and to first order in the Earth's rate. With
 /// H = H_0 - W.L, the mean of -W.L over precession and nutation is -W_Up L_Up. So the precession changes by -W_Up at given mean
 /// constants, and these follow from the release, from dL_Up/dt = -(W x L)_Up, and from the conservation of H and of the spin.
-TopConstants mean_change(const TopOnEarth& scene, const MeanRates& rates) {
+TopConstantsChange mean_change(const TopOnEarth& scene, const MeanRates& rates) {
   const double I1 = scene.top.I1, I3 = scene.top.I3, w3 = scene.release.w_XB_B[2];
   const Vec3<double>& W = scene.W_L;
   const Mat3<double> R_LB = rotation_matrix(scene.release.q_LB);
@@ -62,7 +62,7 @@ TopConstants mean_change(const TopOnEarth& scene, const MeanRates& rates) {
   const double vertical_at_release = in_laboratory ? I1 * W[2] + (I3 - I1) * W_n * scene.n_L[2] : 0;
   const double energy = (in_laboratory ? W[2] * L[2] : W[2] * L[2] - W.dot(L)) - w3 * axial;
   const Complex<double> mean = mean_integral(scene, rates);
-  TopConstants change;
+  TopConstantsChange change;
   change.energy = 2 * energy / I1;
   change.vertical = vertical_at_release / I1 + W[1] * mean.re - W[0] * mean.im;
   change.axial = axial / I1;
@@ -79,8 +79,8 @@ double change_by_close_passes(const TopConstants& constants, const MeanRates& ra
     double within = cos_tilt, beyond = end;
     constexpr int kHalvings = 60;
     for (int i = 0; i < kHalvings; ++i) {
-      const double u = (within + beyond) / 2, momentum = constants.vertical - constants.axial * u;
-      const bool reached = (constants.energy - constants.gravity * u) * (1 - u * u) > momentum * momentum;
+      const double u = (within + beyond) / 2, momentum = constants.vertical() - constants.axial * u;
+      const bool reached = (constants.energy() - constants.gravity * u) * (1 - u * u) > momentum * momentum;
       (reached ? within : beyond) = u;
     }
     return within;
@@ -103,9 +103,9 @@ struct RateChange {
 std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
   const TopConstants constants = top_constants(scene.body, scene.top.mgl, scene.release.q_LB, scene.release.w_XB_B);
   const std::optional<MeanRates> rates = mean_rates(constants);
-  if (!rates || rates->precession_rad_s == 0) return std::nullopt;
-  const TopConstants change = mean_change(scene, *rates);
-  const double energy_scale = std::abs(constants.energy) + std::abs(constants.gravity) + constants.axial * constants.axial;
+  if (!rates || rates->jumps() || rates->precession_rad_s == 0) return std::nullopt;
+  const TopConstantsChange change = mean_change(scene, *rates);
+  const double energy_scale = std::abs(constants.energy()) + std::abs(constants.gravity) + constants.axial * constants.axial;
   const double rate_scale = std::sqrt(energy_scale);
   const double size = std::max(std::abs(change.energy) / energy_scale,
                                std::max(std::abs(change.vertical), std::abs(change.axial)) / rate_scale);
@@ -113,8 +113,7 @@ std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
   // rate bends within that part; a hundredth of it then has another slope, and what they differ by is not known.
   constexpr double kPart = 1e-4, kFinePart = 1e-6;
   const auto rate_at = [&](double s) -> double {
-    const auto there = mean_rates({constants.energy + s * change.energy, constants.vertical + s * change.vertical,
-                                   constants.axial + s * change.axial, constants.gravity});
+    const auto there = mean_rates(moved(constants, change, s));
     return there ? there->precession_rad_s : std::numeric_limits<double>::quiet_NaN();
   };
   double first = 0, second = 0, uncertain = 0;
@@ -178,7 +177,7 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
   const double mgl = scene.axial_gravity_torque_N_m();
   const TopConstants constants = top_constants(body, mgl, release.q_LB, release.w_XB_B);
   const std::optional<MeanRates> rates = mean_rates(constants);
-  if (!rates) return {};
+  if (!rates || rates->jumps()) return {};
   const Vec3<double> W = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
   const double across = real::hypot(W[0], W[1]);
   // The slowest of the sums of the precession, or twice that, and multiples of the nutation.
@@ -212,12 +211,12 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
   }
   const double swing = across * std::sqrt(norm2(part));
   // It moves the energy by W.L, and the vertical angular momentum by the integral of W x L.
-  const double scale = std::sqrt(std::abs(constants.energy) + std::abs(constants.gravity) + constants.axial * constants.axial);
+  const double scale =
+      std::sqrt(std::abs(constants.energy()) + std::abs(constants.gravity) + constants.axial * constants.axial);
   const auto slope = [&](double energy, double vertical) {
     constexpr double kPart = 1e-4;
     const auto rate_at = [&](double h) {
-      const auto there = mean_rates({constants.energy + h * energy * scale * scale, constants.vertical + h * vertical * scale,
-                                     constants.axial, constants.gravity});
+      const auto there = mean_rates(moved(constants, {energy * scale * scale, vertical * scale, 0}, h));
       return there ? there->precession_rad_s : rates->precession_rad_s;
     };
     return std::abs(rate_at(kPart) - rate_at(-kPart)) / (2 * kPart);

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "closed_form/top_constants.hpp"
 #include "earthtop/closed_form/mean_precession.hpp"
 #include "run/assessment.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -157,9 +157,8 @@ TrendPlan plan_trend(const Scene& scene) {
   }
   const double duration = scene.scenario().duration_s;
   if (scene.symmetry_axis() == 2) {
-    const std::optional<MeanRates> rates = mean_rates(top_constants(
-        scene.body<double>(), scene.axial_gravity_torque_N_m(), scene.release<double>().q_LB, scene.release<double>().w_XB_B));
-    if (!rates || rates->precession_rad_s == 0) {
+    const std::optional<MeanRates> rates = mean_rates(top_constants_of(scene));
+    if (!rates || rates->jumps() || rates->precession_rad_s == 0) {
       plan.no_precession = "the azimuth of the non-rotating prediction does not advance at a mean rate";
       return plan;
     }
@@ -169,7 +168,7 @@ TrendPlan plan_trend(const Scene& scene) {
     // A tilt that is not a simple sine has many multiples of its frequency, all of which must be seen.
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
-    const double of_nutation = rates->terms > kSimple ? 0.5 * rates->terms * duration / period : 0;
+    const double of_nutation = rates->parts > kSimple ? 0.5 * rates->parts * duration / period : 0;
     const double least_count = std::max(turns * kAzimuthsAPrecession, of_nutation);
     // Where these are too many, the rest of the run is not looked at.
     const double looked_at = least_count > kMostAzimuths ? window_that_suffices(*plan.frequencies, duration) : duration;

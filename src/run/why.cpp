@@ -136,7 +136,7 @@ void tell_precession(Told& told) {
   const Release<double>& release = told.scene.release<double>();
   const std::optional<MeanRates> rates =
       mean_rates(top_constants(told.scene.body<double>(), told.mgl, release.q_LB, release.w_XB_B));
-  if (!rates || !told.result.drift.secular) return;
+  if (!rates || rates->jumps() || !told.result.drift.secular) return;
   const double p = rates->precession_rad_s;
   // A precession no faster than its change has no sense that lasts.
   constexpr double kFaster = 10;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "earthtop/scene/top_figures.hpp"
 
@@ -23,6 +24,8 @@ extern template DriftProblem<float128> problem_of(const Scene&);
 
 // top_figures.cpp: the figures of the body and of its motion without Earth rotation.
 TopFigures top_figures_of(const Scene& scene);
+/// The constants of the motion of a top that is symmetric about body axis 3, to 113 bits.
+BasicTopConstants<float128> top_constants_of(const Scene& scene);
 
 /// The number of times besides its rows at which a run looks at its two integrations, to judge their errors.
 inline constexpr int kJudgementLooks = 480;

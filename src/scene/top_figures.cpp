@@ -135,7 +135,8 @@ bool goes_round_the_vertical(LagrangeRegime regime) {
          regime == LagrangeRegime::looping;
 }
 
-void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Release<double>& release, double cosine) {
+void add_nutation(TopFigures& top, const Scene& scene, const SymmetricTop<double>& body, double cosine) {
+  const Release<double>& release = scene.release<double>();
   const auto give = [&](double rate, NutationKind kind) {
     top.nutation_rad_s = rate;
     top.nutation_kind = kind;
@@ -158,10 +159,12 @@ void add_nutation(TopFigures& top, const SymmetricTop<double>& body, const Relea
   }
   give(2 * std::numbers::pi / period,
        regime == LagrangeRegime::steady ? NutationKind::small_amplitude : NutationKind::of_release);
-  if (goes_round_the_vertical(regime)) {
-    if (const auto rates = mean_rates(top_constants(body, release.q_LB, release.w_XB_B)))
-      top.mean_precession_rad_s = rates->precession_rad_s;
-    if (!top.mean_precession_rad_s) top.left_out.emplace_back("mean precession: the axis passes too near the vertical");
+  const bool in_a_plane = regime == LagrangeRegime::plane_swinging || regime == LagrangeRegime::plane_turning;
+  if (const auto rates = in_a_plane ? std::nullopt : mean_rates(top_constants_of(scene))) {
+    top.mean_precession_rad_s = rates->precession_rad_s;
+    top.mean_precession_bound_rad_s = rates->precession_bound_rad_s;
+  } else if (goes_round_the_vertical(regime)) {
+    top.left_out.emplace_back("mean precession: the axis passes through the vertical, or too near it");
   }
   if (regime == LagrangeRegime::plane_swinging)
     top.notes.emplace_back("the top swings as a pendulum: its tilt has half the period of a full swing");
@@ -178,6 +181,13 @@ void add_critical_spin(TopFigures& top, const SymmetricTop<double>& body, double
 
 }  // namespace
 
+BasicTopConstants<float128> top_constants_of(const Scene& scene) {
+  const Body<float128>& body = scene.body<float128>();
+  const Release<float128>& release = scene.release<float128>();
+  const float128 mgl = body.mass * float128(scene.site().gravity_m_s2) * body.p_PBcm_B[2];
+  return top_constants(SymmetricTop<float128>{body.I_BP_B(0, 0), body.I_BP_B(2, 2), mgl}, release.q_LB, release.w_XB_B);
+}
+
 TopFigures top_figures_of(const Scene& scene) {
   TopFigures top;
   const Body<float128>& exact = scene.body<float128>();
@@ -191,7 +201,8 @@ TopFigures top_figures_of(const Scene& scene) {
   top.rim_speed_m_s = rim_speed(scene.scenario().body, norm(release.w_XB_B));
   const Mat3<double> R_LB = rotation_matrix(release.q_LB);
   double cosine = R_LB(2, 2);
-  if (real::hypot(R_LB(0, 2), R_LB(1, 2)) <= kRoundOff) cosine = cosine > 0 ? 1 : -1;
+  const bool is_vertical = real::hypot(R_LB(0, 2), R_LB(1, 2)) <= kRoundOff;
+  cosine = std::copysign(is_vertical ? 1 : std::min(std::abs(cosine), 1 - real::epsilon<double>()), cosine);
   if (std::abs(cosine) <= kRoundOff) cosine = 0;
   if (scene.scenario().contact) {
     add_top_on_table(top, scene, cosine);
@@ -209,7 +220,7 @@ TopFigures top_figures_of(const Scene& scene) {
   } else {
     const SymmetricTop<double> symmetric{body.I_BP_B(0, 0), body.I_BP_B(2, 2), scene.axial_gravity_torque_N_m()};
     add_precession(top, symmetric, cosine);
-    add_nutation(top, symmetric, release, cosine);
+    add_nutation(top, scene, symmetric, cosine);
     add_critical_spin(top, symmetric, cosine);
   }
   if (scene.scenario().effects.applied.friction() && top.nutation_rad_s)

@@ -38,6 +38,7 @@ struct TopFigures {
   /// The mean rate of the axis's azimuth over a nutation, by the closed form (rad/s, counterclockwise about Up): what a stopwatch
   /// shows of this release. Empty where the axis passes through the vertical, or there is no torque of gravity.
   std::optional<double> mean_precession_rad_s;
+  std::optional<double> mean_precession_bound_rad_s;  ///< on its error, for exactly these inputs
 
   /// Angular frequency of the nutation: 2 pi over the period of the tilt, from the closed form by elliptic functions at the
   /// amplitude of the release (LagrangeTop). Without a torque of gravity: |L|/I1, the rate at which the axis goes round the
