@@ -28,7 +28,7 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
 }
 
 /// Lengths, numbers of rows, precisions and tolerances are random, too. earthtop-bound-coverage --survey has 70 scenes of each
-/// stratum: no error is over half its bound but for long_horizon, and over 98 % of the bounds are close.
+/// stratum: no error of a reliable scene is over half its bound, and nearly 97 % of the bounds are close.
 TEST(Bounds, HoldAndAreCloseOverASurveyOfLengthsRowsAndPrecisions) {
   constexpr std::uint64_t kFirst = 3000, kCount = 4;
   int scenes = 0, close = 0;
