@@ -2,8 +2,8 @@
 /// Functions that compute the parts of a scene. A Scene calls each of them once and keeps the result.
 #pragma once
 
-#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/closed_form/mean_precession.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "earthtop/scene/top_figures.hpp"
 
