@@ -16,6 +16,7 @@ add_library(earthtop-workbench
   bench/write.cpp
   compare/compact_reference.cpp
   compare/comparand.cpp
+  compare/comparand_values.cpp
   compare/compare.cpp
   compare/conclusion.cpp
   compare/cost.cpp
@@ -70,10 +71,12 @@ add_library(earthtop-workbench
   report/comparison_page.cpp
   report/contact_section.cpp
   report/content_policy.cpp
+  report/drift_chart.cpp
   report/drift_section.cpp
   report/html.cpp
   report/known_html.cpp
   report/measurement_page.cpp
+  report/motion_data.cpp
   report/packed.cpp
   report/path_picture.cpp
   report/plan_page.cpp

@@ -90,10 +90,12 @@ T averaging_error(const TiltedTop<T>& top, T duration, Averaging averaging);
 template <class T>
 LongHorizonPlan<T> plan_from(const TiltedTop<T>& top, const KickSteps& steps, const NaturalUnits& units);
 
-/// The number of steps of a plan in this time.
+/// The number of steps of a plan in this time: at least 1, and at most more than any run takes.
 template <class T>
 std::int64_t steps_in(const LongHorizonPlan<T>& plan, T time) {
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(static_cast<double>(time / plan.step) * (1 - 1e-12))));
+  constexpr double kMost = 1e18;
+  const double steps = std::ceil(static_cast<double>(time / plan.step) * (1 - 1e-12));
+  return static_cast<std::int64_t>(steps >= 1 ? std::min(steps, kMost) : 1.0);
 }
 
 /// A schedule with fewer kicks, and the longest step in which it errs no more than a plan's own schedule does in the plan's step.

@@ -12,7 +12,7 @@
 #include "earthtop/results/compass_point.hpp"
 #include "report/drift_section.hpp"
 #include "report/known_html.hpp"
-#include "report/packed.hpp"
+#include "report/motion_data.hpp"
 #include "report/path_picture.hpp"
 
 namespace earthtop::report {
@@ -21,25 +21,9 @@ namespace {
 using compare::Row;
 
 constexpr double kShownTipDrift = 0.15;  // part of the path's extent to which the drift of the contact point is magnified
-constexpr double kDiscHeight = 0.58;     // of the top drawn, in stems: where its disc is
-constexpr double kShownPath = 1.5;       // largest extent of the path in the animation, in stems
 constexpr std::size_t kMostRows = 200;   // of a table
 
 bool is_level(const Run& run) { return run.number("/scenario/contact/table/tilt_deg").value_or(0) == 0; }
-
-/// The larger side of the smallest rectangle along the axes around all finite points.
-double extent(const std::vector<double>& x, const std::vector<double>& y) {
-  double most = 0;
-  for (const auto* list : {&x, &y}) {
-    double low = kNoNumber, high = kNoNumber;
-    for (const double m : *list) {
-      low = std::fmin(low, m);
-      high = std::fmax(high, m);
-    }
-    most = std::fmax(most, high - low);
-  }
-  return most;
-}
 
 /// By how much the drift is magnified in the picture of the path; 1 where it is not small beside the path.
 double tip_magnification(double path_m, double drift_m) {
@@ -275,40 +259,6 @@ std::string contact_section(const Run& run, Page& page) {
          page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
                     "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words) +
          events_html(run) + balances_html(run) + changes_html(run);
-}
-
-void add_tip_motion(const Run& run, Page& page) {
-  const std::vector<double> x = values(run.played, "tip_L_x_m"), y = values(run.played, "tip_L_y_m");
-  double stem_m = 0;
-  if (run.scene) {
-    const Scenario& scenario = run.scene->scenario();
-    stem_m = std::abs(scenario.body.center_of_mass_m[2]) / kDiscHeight;
-    if (scenario.contact) stem_m = std::max(stem_m, 2 * scenario.contact->tip_radius_m);
-  }
-  // A path much longer than the top is drawn smaller, so that it stays in the picture.
-  const double path_m = extent(x, y), unit_m = std::max(stem_m, path_m / kShownPath);
-  if (!(unit_m > 0)) return;
-  Ends middle[2];
-  for (int axis = 0; axis < 2; ++axis)
-    for (const double m : axis == 0 ? x : y) middle[axis] = {std::fmin(middle[axis].first, m), std::fmax(middle[axis].last, m)};
-  Json& data = page.data();
-  const auto add = [&](const char* name, std::vector<double> east, std::vector<double> north) {
-    constexpr int kTipBits = 14;  // the path fills a picture of 500 px
-    Json place = Json::array();
-    int axis = 0;
-    for (std::vector<double>* list : {&east, &north}) {
-      const double centre = (middle[axis].first + middle[axis].last) / 2;
-      ++axis;
-      for (double& m : *list) m = (m - centre) / unit_m;
-      if (!std::ranges::all_of(*list, [](double m) { return std::isfinite(m); })) return;
-      place.push_back(packed(*list, kTipBits));
-    }
-    place.push_back(packed(std::vector<double>(east.size(), 0), kTipBits));
-    data["packed"]["vectors"][name] = std::move(place);
-  };
-  add("tip", x, y);
-  add("ref_tip", values(run.played, "ref_tip_L_x_m"), values(run.played, "ref_tip_L_y_m"));
-  data["path_shrunk"] = stem_m > 0 ? unit_m / stem_m : 0.0;
 }
 
 }  // namespace earthtop::report

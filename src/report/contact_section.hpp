@@ -13,7 +13,4 @@ std::string tip_drift_html(const Run& run, Page& page);
 /// Path of the contact point, slip, normal force, events, and how far the prediction itself moves with its inputs.
 std::string contact_section(const Run& run, Page& page);
 
-/// Adds the places of both contact points to the data of the animation, in lengths of its stem.
-void add_tip_motion(const Run& run, Page& page);
-
 }  // namespace earthtop::report

@@ -60,19 +60,30 @@ inline std::vector<double> values(const Motion& motion, std::string_view name, d
   return list;
 }
 
-/// Whether the verdict trusts the drift at a time. Results that state no times in which it does not say from when on.
-inline bool trusts(const Run& run, double t_s) {
-  bool has_intervals = false;
-  for (std::size_t i = 0;; ++i) {
-    const std::string at = "/drift/verdict_intervals/" + std::to_string(i);
-    const auto from = run.number(at + "/from_s"), until = run.number(at + "/until_s");
-    if (!from) break;
-    has_intervals = true;
-    if (t_s >= *from && !(until && t_s >= *until)) return false;
+/// When the verdict trusts the drift. Results that state no times in which it does not say from when on.
+class Trust {
+ public:
+  explicit Trust(const Run& run) {
+    for (std::size_t i = 0;; ++i) {
+      const std::string at = "/drift/verdict_intervals/" + std::to_string(i);
+      const auto from = run.number(at + "/from_s"), until = run.number(at + "/until_s");
+      if (!from) break;
+      untrusted_.push_back({*from, until.value_or(kEnd)});
+    }
+    if (const auto from = run.number("/drift/verdict_from_s"); from && untrusted_.empty()) untrusted_.push_back({*from, kEnd});
   }
-  const auto from = run.number("/drift/verdict_from_s");
-  return has_intervals || !from || t_s < *from;
-}
+  bool at(double t_s) const {
+    return std::none_of(untrusted_.begin(), untrusted_.end(),
+                        [&](const Interval& interval) { return t_s >= interval.from_s && t_s < interval.until_s; });
+  }
+
+ private:
+  static constexpr double kEnd = std::numeric_limits<double>::infinity();
+  struct Interval {
+    double from_s, until_s;
+  };
+  std::vector<Interval> untrusted_;
+};
 
 /// The size of the number that is farthest from 0; 0 where none is finite.
 inline double largest_size(const std::vector<double>& list) {

@@ -15,7 +15,7 @@
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
 #include "report/drift_section.hpp"
-#include "report/packed.hpp"
+#include "report/motion_data.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
 #include "report/run_data.hpp"
@@ -53,18 +53,6 @@ std::string verdict_of(const Run& run) {
     text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
                         number_html(run.number("/outcome/reached_s").value_or(0), "s"));
   return text;
-}
-
-/// Three numbers for each row, the direction of an axis.
-std::vector<double> directions(const Motion& motion, std::string_view first) {
-  std::vector<double> list;
-  const std::size_t at = column(first);
-  for (const Row& row : motion.rows) list.insert(list.end(), &row.value[at], &row.value[at] + 3);
-  return list;
-}
-
-bool all_finite(const std::vector<double>& list) {
-  return std::ranges::all_of(list, [](double number) { return std::isfinite(number); });
 }
 
 void append(Json& list, const Vec3<double>& vector) {
@@ -113,50 +101,6 @@ Json torques_of(const Run& run, const Model<double>& model) {
     for (std::size_t n = 0; n < mean.size(); ++n) append(json[kTorqueNames[n]], Vec3<double>(mean[n] / weights));
   }
   return json;
-}
-
-/// How a body turns that is no symmetric top about its axis 3, and the largest rate at which it does: it is drawn as a body.
-void add_attitude(const Run& run, Json& data) {
-  constexpr int kAttitudeBits = 14;
-  if (!run.played_is_mean)
-    for (const auto& [name, first] : {std::pair{"attitude_LB", column("q_LB_w")}, {"ref_attitude_LB", column("ref_q_LB_w")}}) {
-      Json components = Json::array();
-      for (std::size_t i = first; i < first + 4; ++i) {
-        std::vector<double> list;
-        for (const Row& row : run.played.rows) list.push_back(row.value[i]);
-        if (all_finite(list)) components.push_back(packed(list, kAttitudeBits));
-      }
-      if (components.size() == 4) data["packed"]["vectors"][name] = std::move(components);
-    }
-  double largest = 0;
-  for (const char* first : {"w_LB_B_x_rad_s", "ref_w_LB_B_x_rad_s"})
-    for (const Row& row : run.drawn.rows)
-      largest = std::fmax(largest, Eigen::Map<const Vec3<double>>(&row.value[column(first)]).norm());
-  data["rate_rad_s"] = largest;
-}
-
-void add_motion(const Run& run, Page& page) {
-  Json& data = page.data();
-  std::vector<double> times_s;
-  for (const Row& row : run.played.rows) times_s.push_back(row.t_s);
-  data["packed"]["times"] = packed_times(times_s);
-  const std::vector<double> axis = directions(run.played, "axis_L_x"), reference = directions(run.played, "ref_axis_L_x");
-  if (all_finite(axis) && all_finite(reference)) data["packed"]["axes"] = packed_axes(axis, reference);
-  data["spin_rad_s"] = run.drawn.rows.empty() ? 0.0 : run.drawn.rows.front().value[column("w_LB_B_z_rad_s")];
-  data["earth_rate_L"] = {0, 0, 0};
-  data["precession_axis_L"] = {0, 0, 1};
-  data["torques"] = nullptr;
-  if (run.has_contact) add_tip_motion(run, page);
-  if (!run.scene) return;
-  const TopFigures top = run.scene->top();
-  data["top"] = {{"mass_kg", top.mass_kg},
-                 {"center_of_mass_m", top.center_of_mass_m},
-                 {"moments_about_center_kg_m2", top.moments_about_center_kg_m2}};
-  if (run.scene->symmetry_axis() != 2) add_attitude(run, data);
-  const Model<double>& model = run.scene->model<double>();
-  data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
-  // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
-  if (!run.has_contact) data["torques"] = torques_of(run, model);
 }
 
 /// The largest torque of apparent gravity about the pivot over the motion that is drawn (N m).
@@ -290,7 +234,9 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   Page page("run", title.empty() ? "A run" : title);
   page.headline(headline_html(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
-  add_motion(run, page);
+  add_motion(run, page.data());
+  // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
+  if (run.scene && !run.has_contact) page.data()["torques"] = torques_of(run, run.scene->model<double>());
   const std::string played = "<p>" + escaped(run.played_words) + "</p>\n";
   page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
 #include "report/thinning.hpp"
 #include "results/columns.hpp"
 #include "run/seen_motion.hpp"
@@ -34,13 +35,6 @@ Row row_of(const DriftRow& look, bool is_reliable) {
   }
   row.value[column("drift_reliable")] = is_reliable ? 1 : 0;
   return row;
-}
-
-std::vector<Row> rows_of(const Run& run, std::span<const DriftRow> looks) {
-  std::vector<Row> rows;
-  rows.reserve(looks.size());
-  for (const DriftRow& look : looks) rows.push_back(row_of(look, trusts(run, look.t_s)));
-  return rows;
 }
 
 /// Whether the file's drift at a time is the one that this version computes of the scenario.
@@ -73,6 +67,7 @@ std::vector<Row> means_of(std::span<const Row> rows, std::size_t a_window) {
 /// Whether rows follow the axes' path, and do not jump about on it.
 bool follow_the_path(std::span<const Row> rows) {
   constexpr double kLargestTurn = 0.6;  // of a step beside the one before; at twelve steps a turn it is 0.52
+  constexpr double kRounding = 1e-14;   // a path with smaller steps is a point
   const std::size_t at = column("ref_axis_L_x");
   double steps = 0, turns = 0;
   for (std::size_t i = 1; i + 1 < rows.size(); ++i)
@@ -80,13 +75,24 @@ bool follow_the_path(std::span<const Row> rows) {
       const double before = rows[i].value[k] - rows[i - 1].value[k], after = rows[i + 1].value[k] - rows[i].value[k];
       steps += before * before, turns += (after - before) * (after - before);
     }
-  return turns <= kLargestTurn * kLargestTurn * steps;
+  return turns <= kLargestTurn * kLargestTurn * steps + kRounding * kRounding * static_cast<double>(rows.size());
 }
 
-void take_looks(Run& run, const SeenMotion& seen) {
-  run.drawn = {rows_of(run, seen.looks), seen.a_window, true};
-  const std::size_t count = seen.looks.size();
-  if (seen.a_window == 0) {
+}  // namespace
+
+std::vector<Row> rows_of(const Run& run, std::span<const DriftRow> looks) {
+  std::vector<Row> rows;
+  rows.reserve(looks.size());
+  const Trust trust(run);
+  for (const DriftRow& look : looks) rows.push_back(row_of(look, trust.at(look.t_s)));
+  return rows;
+}
+
+void take_looks(Run& run, std::span<const DriftRow> looks, std::size_t a_window,
+                const std::function<std::vector<DriftRow>()>& last) {
+  run.drawn = {rows_of(run, looks), a_window, true};
+  const std::size_t count = looks.size();
+  if (a_window == 0) {
     run.drawn_words = fmt::format("Drawn: the motion at {} times, twelve or more in each of the axis's fastest swings.", count);
     run.played = run.drawn;
     run.played_words = run.drawn_words;
@@ -94,17 +100,19 @@ void take_looks(Run& run, const SeenMotion& seen) {
   }
   run.drawn_words =
       fmt::format("Drawn: the motion in {} windows, each as long as one of the axis's fastest swings and seen at {} times.",
-                  count / seen.a_window, seen.a_window);
-  run.played = {means_of(run.drawn.rows, seen.a_window), 0, true};
+                  count / a_window, a_window);
+  run.played = {means_of(run.drawn.rows, a_window), 0, true};
   run.played_is_mean = true;
   run.played_words = fmt::format("The axis has too many swings to show each: drawn is its mean over one, at {} times.",
                                  run.played.rows.size());
   if (follow_the_path(run.played.rows)) return;
-  run.played = {rows_of(run, seen.last), 0, true};
+  run.played = {rows_of(run, last()), 0, true};
   run.played_is_mean = false;
   run.played_words = fmt::format("The axis has too many swings and turns to show them all: drawn are the last {:.4g} s.",
                                  run.played.rows.back().t_s - run.played.rows.front().t_s);
 }
+
+namespace {
 
 /// Looks at the motion of the run's scenario. @returns why that cannot be; empty if it was done
 std::string look(Run& run) {
@@ -123,7 +131,7 @@ std::string look(Run& run) {
     if (run.watch.asks_to_stop()) throw Interrupted();
     if (seen.looks.size() < 2 || !(seen.looks.back().t_s >= checked_s)) return "the motion could not be computed again";
     if (!agree(run, seen.checked)) return "the scenario gives another motion in this version";
-    take_looks(run, seen);
+    take_looks(run, seen.looks, seen.a_window, [&] { return seen.last; });
     return "";
   } catch (const ScenarioError&) {
     return "this version does not follow such a scene";

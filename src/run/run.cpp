@@ -118,11 +118,13 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
 
 RunResult run_once(const Scene& scene, const RunOptions& options) {
   scene.require_affordable();
+#ifndef EARTHTOP_DOUBLE_ONLY  // as tools/play has it, which refuses other scenes before
   switch (scene.scenario().precision) {
     case Precision::bits53: break;
     case Precision::bits64: return run_in<long double>(scene, options);
     case Precision::bits113: return run_in<float128>(scene, options);
   }
+#endif
   return run_in<double>(scene, options);
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The engine of the page to play with against the program: every shipped scenario, cell by cell and figure by figure; and what the
-// engine refuses.
+// The engine of the page to play with against the program: every shipped scenario, cell by cell and figure by figure; what the engine
+// refuses; and that its pictures show the motion, whatever the output rows.
 //
 // usage: engine_test.mjs PATH_OF_EARTHTOP ENGINE_DIRECTORY [SCENARIO.json ...]
 //
@@ -50,7 +50,8 @@ function otherColumns(ours, theirs) {
 }
 
 const kFigures = [
-  "/outcome/status", "/drift/verdict", "/drift/axis_final_rad", "/drift/axis_max_rad", "/drift/axis_bound_rad", "/drift/attitude_final_rad",
+  "/outcome/status", "/drift/verdict", "/drift/axis_final_rad", "/drift/axis_max_rad", "/drift/axis_max_at_s", "/drift/axis_bound_rad",
+  "/drift/attitude_final_rad",
   "/drift/azimuth_final_rad", "/drift/tilt_final_rad", "/drift/spin_final_rad", "/drift/secular/azimuth_rate_rad_s",
 ];
 function at(document, pointer) { return pointer.slice(1).split("/").reduce((node, key) => node?.[key], document); }
@@ -116,6 +117,42 @@ function differsInSecondsOnly(a, b) {
   return bare(a) === bare(b);
 }
 
+/** The points of the paths in the last panel of a chart, in the units of its axes. */
+function lastPanel(picture) {
+  const panel = picture.slice(picture.lastIndexOf("Azimuth minus"));
+  // Ticks: the place of a number's grid line is told by its text, above or left of which it is.
+  const ticks = (pattern, place) => [...panel.matchAll(pattern)].map((found) => [place(found), Number(found[2].replace("−", "-"))]);
+  const scale = (list) => {
+    const [[from, low], [to, high]] = [list[0], list.at(-1)];
+    return (px) => low + ((px - from) * (high - low)) / (to - from);
+  };
+  const y = scale(ticks(/y="([\d.]+)" text-anchor="end">([−\d.]+)</g, (found) => Number(found[1]) - 4));
+  const x = scale(ticks(/x="([\d.]+)" y="[\d.]+" text-anchor="middle">([\d.]+)</g, (found) => Number(found[1])));
+  const group = panel.match(/<g clip-path[^]*?<\/g>/)[0];
+  return [...group.matchAll(/[ML]([\d.]+) ([\d.]+)/g)].map(([, px, py]) => [x(Number(px)), y(Number(py))]);
+}
+
+function peakToPeak(values) { return Math.max(...values) - Math.min(...values); }
+
+/** The pictures are the same for any output rows, and their bands reach as far as the motion does. */
+function pictures(engine) {
+  const toyTop = JSON.parse(readFileSync(join(kScenarios, "toy-top.json"), "utf8"));
+  const withRows = (step_s) => engine.run(JSON.stringify({ ...toyTop, motion: { ...toyTop.motion, output_step_s: step_s } }));
+  const [dense, sparse, fine] = [0.1, 2, 0.005].map(withRows);
+  for (const part of ["chart", "motion"])
+    expect(JSON.stringify(dense[part]) === JSON.stringify(sparse[part]), `rows every 0.1 s and every 2 s give another ${part}`);
+  for (const figure of ["/drift/axis_max_rad", "/drift/axis_max_at_s"])
+    expect(at(dense.summary, figure) === at(sparse.summary, figure), `rows every 0.1 s and every 2 s give another ${figure}`);
+  expect(sparse.chart.wide.includes("residual (band: least to most)"), "the legend does not say that the residual is drawn as a band");
+  const kFrom = 41, kUntil = 45, kArcseconds = (180 * 3600) / Math.PI, rate = at(fine.summary, "/drift/secular/azimuth_rate_rad_s");
+  const inside = (t_s) => t_s >= kFrom && t_s <= kUntil;
+  const residual = fine.columns.t_s.map((t_s, i) => [t_s, (fine.columns.drift_azimuth_rad[i] - rate * t_s) * kArcseconds]);
+  const motion = peakToPeak(residual.filter(([t_s]) => inside(t_s)).map(([, y]) => y));
+  const drawn = peakToPeak(lastPanel(sparse.chart.wide).filter(([t_s]) => inside(t_s)).map(([, y]) => y));
+  console.log(`azimuth minus its line from ${kFrom} to ${kUntil} s, peak to peak: ${motion.toFixed(2)}″, drawn ${drawn.toFixed(2)}″`);
+  expect(Math.abs(drawn / motion - 1) < 0.03, `the residual's peak to peak is ${motion}″, and ${drawn}″ are drawn`);
+}
+
 const [program, directory, ...given] = process.argv.slice(2);
 const engine = await startEngine(directory);
 const version = execFileSync(program, ["--version"], { encoding: "utf8" });
@@ -130,7 +167,10 @@ try {
     if (theirs.error) expect(ours.error, `${name}: the program refuses it and the engine does not: ${theirs.error}`);
     else compare(name, ours, theirs);
   }
-  if (!given.length) refusals(program, engine);
+  if (!given.length) {
+    refusals(program, engine);
+    pictures(engine);
+  }
 } finally {
   rmSync(results, { recursive: true });
 }

@@ -18,7 +18,7 @@ from typing import Any
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 ASSETS = ROOT / "src/report/assets"
-SIZE_LIMIT = 3_000_000  # bytes of the whole page
+SIZE_LIMIT = 2_000_000  # bytes of the whole page
 
 # A scenario's own tests and texts do not hold for the scenarios that the sliders make of it.
 LEFT_OUT = ("$schema", "name", "title", "purpose", "headline", "criteria")

@@ -124,8 +124,8 @@ function makeTrack(moments, numbers) {
     const p = rows[i], q = rows[i + 1];
     if (!(step > 0)) return p;
     const u = clamp((time - moments[i]) / step, 0, 1), v = 1 - u;
-    // Next to a missing row nothing is interpolated.
-    if (!p || !q) return u === 0 ? p : u === 1 ? q : null;
+    if (u === 0 || u === 1) return u === 0 ? p : q;
+    if (!p || !q) return null; // next to a missing row nothing is interpolated
     if (dot(p, q) < 0.5) {
       const angle = angleBetween(p, q);
       return normalise(combine(Math.sin(v * angle), p, Math.sin(u * angle), q)) ?? p;

@@ -14,6 +14,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "left_out.hpp"
+#include "pictures.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::play {
@@ -93,8 +94,8 @@ std::string run_json(std::string_view scenario) {
   while (!summary.empty() && summary.back() == '\n') summary.pop_back();
   std::string warnings;
   for (const Diagnostic& warning : report.warnings) warnings += (warnings.empty() ? "" : ",") + error_json(warning);
-  return fmt::format(R"({{"summary":{},"columns":{},"warnings":[{}]}})", summary, columns_json(trajectory_csv(result)),
-                     warnings);
+  return fmt::format(R"({{"summary":{},"columns":{},{},"warnings":[{}]}})", summary, columns_json(trajectory_csv(result)),
+                     pictures_json(result, summary), warnings);
 }
 
 /// What the page asks for, or the error that came of it.
@@ -121,8 +122,8 @@ const char* kept(Function&& answer) {
 
 extern "C" {
 
-/// Runs a scenario. @returns {"summary": ..., "columns": {...}, "warnings": [...]} or {"error": ..., "errors": [...]}; valid until
-/// the next call
+/// Runs a scenario. @returns {"summary": ..., "columns": {...}, "chart": {...}, "motion": {...}, "warnings": [...]} or
+/// {"error": ..., "errors": [...]}; valid until the next call
 EMSCRIPTEN_KEEPALIVE const char* earthtop_run(const char* scenario_json) {
   return earthtop::play::kept([&] { return earthtop::play::run_json(scenario_json); });
 }

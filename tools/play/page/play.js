@@ -3,7 +3,6 @@
 
 const kSettings = JSON.parse(byId("play-settings").textContent);
 const kSlow = 120;  // milliseconds that a run may take to be made again while a slider moves
-const kShownPath = 1.5;  // largest extent of a path on the table in the animation, in stems
 
 const kState = { preset: "", values: {}, engine: null, took: 0, asked: false, started: false, summary: null };
 window.earthtop.play = kState;
@@ -111,41 +110,9 @@ function tellError({ message, place, remedy }) {
 
 // --- what the pictures are drawn from
 
-function triples(columns, names) {
-  const parts = names.map((name) => columns[name] ?? []);
-  return (parts[0] ?? []).flatMap((_, i) => parts.map((part) => part[i]));
-}
-
-/** The tip's path in lengths of the stem about its middle; a path much longer than the top is drawn smaller. */
-function addTip(data, columns, scenario) {
-  if (!columns.tip_L_x_m) return;
-  const extent = ["tip_L_x_m", "tip_L_y_m"].map((name) => {
-    const known = columns[name].filter(isNumber);
-    return [Math.min(...known), Math.max(...known)];
-  });
-  const stem = Math.max(Math.abs(scenario.body.center_of_mass_m?.[2] ?? 0) / kDisc.height, 2 * (scenario.contact?.tip_radius_m ?? 0));
-  const unit = Math.max(stem, Math.max(...extent.map(([low, high]) => high - low)) / kShownPath) || 1;
-  const place = (names) => columns[names[0]].flatMap((_, i) => [...names.map((name, k) =>
-    (columns[name][i] - (extent[k][0] + extent[k][1]) / 2) / unit), 0]);
-  Object.assign(data, { tip: place(["tip_L_x_m", "tip_L_y_m"]), ref_tip: place(["ref_tip_L_x_m", "ref_tip_L_y_m"]),
-    path_shrunk: stem > 0 ? unit / stem : 0 });
-}
-
-function motionData({ summary, columns }, isNew) {
-  const { scenario, top } = summary, rate = scenario.earth.rotation_rate_rad_s, latitude = (scenario.site.latitude_deg ?? 0) * kRadian;
-  const data = {
-    keeps_view: !isNew, t_s: columns.t_s, axis_L: triples(columns, ["axis_L_x", "axis_L_y", "axis_L_z"]),
-    ref_axis_L: triples(columns, ["ref_axis_L_x", "ref_axis_L_y", "ref_axis_L_z"]), spin_rad_s: columns.w_LB_B_z_rad_s[0],
-    earth_rate_L: [0, rate * Math.cos(latitude), rate * Math.sin(latitude)], precession_axis_L: [0, 0, 1], top,
-  };
-  const [i, j] = top.moments_about_pivot_kg_m2, [x, y] = top.center_of_mass_m;
-  if (i !== j || x !== 0 || y !== 0) {
-    const attitude = (prefix) => triples(columns, ["w", "x", "y", "z"].map((name) => `${prefix}q_LB_${name}`));
-    const rates = columns.t_s.map((_, k) => Math.hypot(...["x", "y", "z"].map((name) => columns[`w_LB_B_${name}_rad_s`][k])));
-    Object.assign(data, { attitude_LB: attitude(""), ref_attitude_LB: attitude("ref_"), rate_rad_s: Math.max(...rates) });
-  }
-  addTip(data, columns, scenario);
-  return data;
+/** The motion that the engine looked at, as a report has it, and whether the eye stays where it is. */
+function motionData({ motion }, isNew) {
+  return { ...unpacked(motion), keeps_view: !isNew };
 }
 
 // --- running
@@ -155,9 +122,10 @@ function showResult(result, isNew) {
   byId("results").classList.remove("stale");
   kState.summary = result.summary;
   tellAnswer(result.summary, result.columns);
-  kState.chart(result.columns);
+  kState.chart(result);
   const data = motionData(result, isNew);
   for (const show of kScene.shows) show(data);
+  for (const words of document.querySelectorAll(".played")) words.textContent = result.motion.words;
   if (kState.started) return;
   kState.started = true;
   if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches) byId("play").click();
