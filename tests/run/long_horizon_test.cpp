@@ -363,7 +363,7 @@ TEST(LongHorizon, TheChoiceHasNoCliffs) {
     const RunSeconds estimated = Scene(scene).estimate().seconds;
     return estimated.solution + estimated.bound;
   };
-  constexpr double kHardlyAny_s = 2e-2;
+  constexpr double kHardlyAny_s = 2e-2;  // chosen: nobody notices a cliff below it
   for (double duration_s = 2, before = 0; duration_s < 1000; duration_s *= 1.4) {
     const double now = seconds(fast_gyro(duration_s, 20)) + kHardlyAny_s;
     if (before > 0) {
