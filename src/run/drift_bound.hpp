@@ -11,6 +11,16 @@
 
 namespace earthtop {
 
+/// The unit in the last place of a precision.
+inline double epsilon_of(Precision precision) {
+  switch (precision) {
+    case Precision::bits53: break;
+    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
+    case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
+  }
+  return real::epsilon<double>();
+}
+
 /// The nudge of a second integration, and the round-off of the drift measures, in units in the last place. A nudge shows how
 /// sensitive the drift is to its inputs, which is no error of a drift for exactly these inputs: it has to be no more than what the
 /// rounding of the scene and of the first steps may be. In 2,250 random scenes with the bound of a fixed pivot the two integrations

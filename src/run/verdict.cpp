@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/verdict.hpp"
 
 #include <fmt/core.h>
 
@@ -15,6 +14,8 @@
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
 #include "run/contact_verdict.hpp"
+#include "run/drift_bound.hpp"
+#include "run/drift_bound.hpp"
 #include "run/largest.hpp"
 
 namespace earthtop {
@@ -27,15 +28,6 @@ constexpr double kEquilibrium = 1e-2;  // a motion that departs less from its re
 constexpr double kLoose = 1e-2;        // rad: above this bound the motion is lost, if disturbances grow
 constexpr double kResolved = 3;        // a drift larger than this many times its bound is more than noise
 constexpr double kStill = 1e-3;        // an axis whose drift is a smaller share of the attitude's stands still
-
-double epsilon_of(Precision precision) {
-  switch (precision) {
-    case Precision::bits53: break;
-    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
-    case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
-  }
-  return real::epsilon<double>();
-}
 
 std::optional<double> earlier(std::optional<double> a, std::optional<double> b) {
   if (!a || !b) return a ? a : b;

@@ -9,6 +9,7 @@
 #include "bounds/table_truth.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "run/drift_bound.hpp"
 #include "run/rows.hpp"
 
 namespace earthtop::testing {
@@ -18,15 +19,6 @@ Quaternion<float128> quaternion(const std::array<float128, 4>& q) { return {q[0]
 double angle_between(const std::array<float128, 4>& p, const std::array<float128, 4>& q) {
   const Quaternion<float128> d = quaternion(p).conjugate() * quaternion(q);
   return static_cast<double>(float128(2) * real::atan2(norm(d.v), real::abs(d.w)));
-}
-
-double epsilon_of(Precision precision) {
-  switch (precision) {
-    case Precision::bits53: break;
-    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
-    case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
-  }
-  return real::epsilon<double>();
 }
 
 /// A row with all its digits if the run keeps them in extended precision.
