@@ -15,7 +15,6 @@
 #include "earthtop/vectors.hpp"
 #include "run/contact_verdict.hpp"
 #include "run/drift_bound.hpp"
-#include "run/drift_bound.hpp"
 #include "run/largest.hpp"
 
 namespace earthtop {
