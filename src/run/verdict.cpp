@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/verdict.hpp"
 
 #include <fmt/core.h>
 
