@@ -42,15 +42,18 @@ add_library(earthtop-workbench
   measure/columns.cpp
   measure/document.cpp
   measure/estimated_inputs.cpp
+  measure/exact_inputs.cpp
   measure/figure.cpp
   measure/file.cpp
   measure/fitted_scenario.cpp
   measure/influences.cpp
   measure/input_places.cpp
+  measure/known_rate.cpp
   measure/measured_motion.cpp
   measure/measurement.cpp
   measure/prediction_problem.cpp
   measure/priors.cpp
+  measure/rate_finding.cpp
   measure/scaled_problem.cpp
   measure/seen_directions.cpp
   measure/sentences.cpp
@@ -73,6 +76,7 @@ add_library(earthtop-workbench
   report/content_policy.cpp
   report/drift_chart.cpp
   report/drift_section.cpp
+  report/exact_inputs_html.cpp
   report/html.cpp
   report/known_html.cpp
   report/measurement_page.cpp

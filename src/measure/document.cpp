@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "measure/finding_json.hpp"
 #include "text/json.hpp"
 #include "text/utf8.hpp"
 
@@ -31,7 +32,9 @@ Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
           {"estimate", or_nothing(estimate.estimate)},
           {"standard_error", or_nothing(estimate.standard_error)},
           {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
-          {"sentence", estimate_sentence(estimate, by_scatter)}};
+          {"sentence", estimate_sentence(estimate, by_scatter)},
+          {"finding", finding_json(estimate.finding)},
+          {"exact", exact_json(estimate.exact, by_scatter ? estimate.standard_error_scaled : estimate.standard_error)}};
 }
 
 Json prior_json(const Prior& prior) {

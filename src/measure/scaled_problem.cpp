@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // parts of a parameter's scale
 constexpr double kWantedChange_rad = 1e-4;
+constexpr double kFine = 2, kRough = 30;  // factors by which a change may differ from the wanted one
 
 }  // namespace
 
@@ -73,15 +74,20 @@ bool ScaledProblem::jacobian(const std::vector<double>& u, Eigen::MatrixXd& J) {
   Eigen::VectorXd column;
   for (std::size_t j = 0; j < parameters(); ++j) {
     if (!differentiate(u, j, column)) return false;
-    problem_.whitening.whiten_derivative(column);
-    J.col(static_cast<Eigen::Index>(j)).head(column.size()) = column;
-    for (std::size_t k = 0; k < problem_.priors.size(); ++k) {
-      const auto& [parameter, standard_error] = problem_.priors[k];
-      J(column.size() + static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) =
-          parameter == j ? -problem_.scales[j] / standard_error : 0;
-    }
+    J.col(static_cast<Eigen::Index>(j)) = with_priors(column, j);
   }
   return true;
+}
+
+/// The derivatives of all residuals by a parameter, from those of the data's residuals, not whitened.
+Eigen::VectorXd ScaledProblem::with_priors(Eigen::VectorXd of_data, std::size_t parameter) const {
+  problem_.whitening.whiten_derivative(of_data);
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(residuals()));
+  column.head(of_data.size()) = of_data;
+  for (std::size_t k = 0; k < problem_.priors.size(); ++k)
+    if (problem_.priors[k].parameter == parameter)
+      column[of_data.size() + static_cast<Eigen::Index>(k)] = -problem_.scales[parameter] / problem_.priors[k].standard_error;
+  return column;
 }
 
 double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, double step) const {
@@ -92,17 +98,31 @@ double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, doub
 }
 
 ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter) {
+  Eigen::VectorXd derivative;
+  return find_step(u, parameter, kFine, derivative);
+}
+
+ScaledProblem::StepFound ScaledProblem::derivative(const std::vector<double>& u, std::size_t parameter, Step wanted,
+                                                   Eigen::VectorXd& column) {
+  Eigen::VectorXd of_data;
+  const StepFound found = find_step(u, parameter, wanted == Step::fine ? kFine : kRough, of_data);
+  if (found != StepFound::yes) of_data.setZero(static_cast<Eigen::Index>(problem_.standard_error.size()));
+  column = with_priors(std::move(of_data), parameter);
+  return found;
+}
+
+ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter, double within,
+                                                  Eigen::VectorXd& derivative) {
   constexpr int kAttempts = 5;
   double& step = steps_[parameter];
   for (int attempt = 1;; ++attempt) {
-    Eigen::VectorXd derivative;
     if (!differentiate(u, parameter, derivative)) {
       if (step <= kShortestStep || attempt == kAttempts) return StepFound::no_prediction;
       step = std::max(kShortestStep, step / 1e2);
       continue;
     }
     const double change_rad = largest_change_rad(derivative, step);
-    const bool is_fine = change_rad <= 2 * kWantedChange_rad && change_rad >= kWantedChange_rad / 2;
+    const bool is_fine = change_rad <= within * kWantedChange_rad && change_rad >= kWantedChange_rad / within;
     const bool cannot_grow = change_rad < kWantedChange_rad && step >= kLongestStep;
     if (cannot_grow && change_rad < 10 * kPredictionError_rad) return StepFound::no_influence;
     if (is_fine || cannot_grow || attempt == kAttempts) return StepFound::yes;

@@ -30,9 +30,16 @@ class ScaledProblem {
   /// Sets the step of the finite differences by which a parameter's derivatives are computed.
   StepFound find_step(const std::vector<double>& u, std::size_t parameter);
 
+  /// How well the step of a difference is chosen: a rough one takes fewer predictions, and has some four digits.
+  enum class Step { fine, rough };
+  /// Finds such a step, and the derivatives of the residuals by the parameter: whitened, and 0 for the priors of others.
+  StepFound derivative(const std::vector<double>& u, std::size_t parameter, Step wanted, Eigen::VectorXd& column);
+
  private:
   bool predict(const std::vector<double>& u, Eigen::VectorXd& f);
   bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative);
+  StepFound find_step(const std::vector<double>& u, std::size_t parameter, double within, Eigen::VectorXd& derivative);
+  Eigen::VectorXd with_priors(Eigen::VectorXd of_data, std::size_t parameter) const;
   double largest_change_rad(const Eigen::VectorXd& derivative, double step) const;
 
   const FitProblem& problem_;

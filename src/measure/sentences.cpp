@@ -7,40 +7,34 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "measure/known_rate.hpp"
 
 namespace earthtop {
 namespace measure {
 namespace {
 
-/// An input as a sentence calls it, and whether its absence means something: that the Earth does not turn.
+/// An input as a sentence calls it.
 struct SpokenInput {
   std::string_view name, spoken;
-  bool may_be_seen;
 };
 constexpr SpokenInput kSpokenInputs[] = {
-    {"omega_sin_latitude_rad_s", "the Earth's rate times sin(latitude)", true},
-    {"omega_cos_latitude_rad_s", "the Earth's rate times cos(latitude)", true},
-    {"rotation_rate_rad_s", "the Earth's rate", true},
-    {"/earth/rotation_rate_rad_s", "the Earth's rate", true},
-    {"latitude_deg", "the latitude", false},
-    {"/site/latitude_deg", "the latitude", false},
-    {"gravity_m_s2", "apparent gravity", false},
-    {"/site/gravity_m_s2", "apparent gravity", false},
-    {"spin_rad_s", "the spin", false},
-    {"/release/spin_rad_s", "the spin", false},
-    {"tilt_deg", "the tilt at release", false},
-    {"/release/tilt_deg", "the tilt at release", false},
-    {"/release/azimuth_deg", "the azimuth at release", false},
-    {"/release/spin_angle_deg", "the spin angle at release", false},
-    {"inertia_ratio", "the ratio I3/I1 of the moments", false},
-    {"center_of_mass_m", "the distance of the centre of mass", false},
+    {"omega_sin_latitude_rad_s", "the Earth's rate times sin(latitude)"},
+    {"omega_cos_latitude_rad_s", "the Earth's rate times cos(latitude)"},
+    {"rotation_rate_rad_s", "the Earth's rate"},
+    {"/earth/rotation_rate_rad_s", "the Earth's rate"},
+    {"latitude_deg", "the latitude"},
+    {"/site/latitude_deg", "the latitude"},
+    {"gravity_m_s2", "apparent gravity"},
+    {"/site/gravity_m_s2", "apparent gravity"},
+    {"spin_rad_s", "the spin"},
+    {"/release/spin_rad_s", "the spin"},
+    {"tilt_deg", "the tilt at release"},
+    {"/release/tilt_deg", "the tilt at release"},
+    {"/release/azimuth_deg", "the azimuth at release"},
+    {"/release/spin_angle_deg", "the spin angle at release"},
+    {"inertia_ratio", "the ratio I3/I1 of the moments"},
+    {"center_of_mass_m", "the distance of the centre of mass"},
 };
-
-/// A number of standard errors as one says it: "17", "3.4", "0.1".
-std::string sigmas(double count) {
-  if (count < 9.95) return fmt::format("{:.1f}", count);
-  return count < 9999.5 ? fmt::format("{:.0f}", count) : fmt::format("{:.1e}", count);
-}
 
 }  // namespace
 }  // namespace measure
@@ -70,12 +64,7 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   if (error > *given.standard_error)
     text += fmt::format(" (the standard error that the scatter gives, {:.2g} times the one from the stated errors)",
                         error / *given.standard_error);
-  constexpr double kSeen = 3;  // below this number of standard errors, one in 370 absent effects looks as large
-  if (is_known && known->may_be_seen) {
-    const double distance = std::abs(*given.estimate) / error;
-    text += distance >= kSeen ? fmt::format(": seen at {} sigma", sigmas(distance))
-                              : fmt::format(": not seen, {} sigma from 0", sigmas(distance));
-  }
+  if (given.finding) return text + ": " + finding_words(*given.finding);
   const double off = (given.start - *given.estimate) / error;
   return text + fmt::format("; the scenario's {:.10g} is {} sigma {} it", given.start, sigmas(std::abs(off)),
                             off < 0 ? "below" : "above");

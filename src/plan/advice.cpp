@@ -90,12 +90,11 @@ std::string change_text(const PlanReport& report, const PlanVariation& change) {
 
 std::string advice_on(const PlanReport& report) {
   const PlannedEstimate& target = report.estimates[0];
-  // Only of the Earth's rate the absence would mean something.
-  const bool is_seen = target.name.starts_with("omega_") || target.name.ends_with("rotation_rate_rad_s");
-  std::string text = is_seen && target.significance()
-                         ? fmt::format("{} would be seen at {:.3g} sigma. ", target.name, *target.significance())
-                         : fmt::format("{} would be known to ± {:.3g}{}{}. ", target.name, *target.standard_error,
-                                       target.unit.empty() ? "" : " ", target.unit);
+  std::string text = target.finding ? fmt::format("{} would {}be seen: it is {:.3g} sigma from zero. ", target.name,
+                                                  target.finding->outcome() == RateOutcome::seen ? "" : "not ",
+                                                  target.finding->from_zero_sigma)
+                                    : fmt::format("{} would be known to ± {:.3g}{}{}. ", target.name, *target.standard_error,
+                                                  target.unit.empty() ? "" : " ", target.unit);
   const auto sentence = [&](const PlanVariation& change) {
     return fmt::format("{}: its standard error would be {:.3g} times smaller, {:.2e}{}{}", change_text(report, change),
                        gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);

@@ -24,14 +24,15 @@ using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// The derivatives of the chosen values. Where errors are correlated, each value is replaced by what is new in it beside the one
 /// before it in its series, (e_k - rho e_(k-1)) / sqrt(1 - rho^2) with rho = exp(-dt / tau): the errors of these are independent
 /// and of variance 1.
-RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
+/// @param all_J  of all values
+RowMajor chosen_rows(const Derivatives& all, const Eigen::MatrixXd& all_J, const ValueChoice& choice) {
   std::vector<Index> chosen;
   for (std::size_t i = 0; i < all.values.size(); ++i) {
     const PlannedValue& value = all.values[i];
     if (value.row % choice.stride == 0 && value.row / choice.stride < choice.rows && value.quantity < choice.quantities)
       chosen.push_back(static_cast<Index>(i));
   }
-  const Index numbers = all.J.cols();
+  const Index numbers = all_J.cols();
   RowMajor J = RowMajor::Zero(std::max(static_cast<Index>(chosen.size()), numbers), numbers);
   std::vector<Index> latest;  // of each series, -1 before its first value
   for (std::size_t k = 0; k < chosen.size(); ++k) {
@@ -39,11 +40,11 @@ RowMajor chosen_rows(const Derivatives& all, const ValueChoice& choice) {
     const auto to = static_cast<Index>(k);
     if (value.series >= latest.size()) latest.resize(value.series + 1, -1);
     Index& before = latest[value.series];
-    J.row(to) = all.J.row(chosen[k]);
+    J.row(to) = all_J.row(chosen[k]);
     if (choice.correlation_time_s > 0 && before >= 0) {
       const double elapsed_s = value.t_s - all.values[static_cast<std::size_t>(before)].t_s;
       const auto [rho, fresh] = measure::error_memory(elapsed_s, choice.correlation_time_s);
-      J.row(to) = (J.row(to) - rho * all.J.row(before)) / fresh;
+      J.row(to) = (J.row(to) - rho * all_J.row(before)) / fresh;
     }
     before = chosen[k];
     J.row(to) /= choice.sigma_factor;
@@ -72,10 +73,27 @@ std::optional<double> Bound::standard_error(std::size_t input) const {
   return std::sqrt(covariance(i, i));
 }
 
+Eigen::MatrixXd derivatives_by_all(const Derivatives& derivatives, const std::vector<double>& scales,
+                                   const std::vector<InputPrior>& priors, const ValueChoice& choice) {
+  Eigen::MatrixXd by_all(derivatives.J.rows(), derivatives.J.cols() + derivatives.exact.cols());
+  by_all << derivatives.J, derivatives.exact;
+  Eigen::MatrixXd rows = chosen_rows(derivatives, by_all, choice);
+  if (priors.empty()) return rows;
+  auto of_numbers = rows.leftCols(derivatives.J.cols());
+  of_numbers = measure::seen_directions(of_numbers).seen_part(of_numbers);
+  const Index values = rows.rows();
+  rows.conservativeResize(values + static_cast<Index>(priors.size()), Eigen::NoChange);
+  rows.bottomRows(static_cast<Index>(priors.size())).setZero();
+  for (std::size_t k = 0; k < priors.size(); ++k)
+    rows(values + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
+        scales[priors[k].input] / priors[k].standard_error;
+  return rows;
+}
+
 Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales, const std::vector<InputPrior>& priors,
                const ValueChoice& choice) {
   const ReturnedGslErrors returned;
-  RowMajor J = chosen_rows(derivatives, choice);
+  RowMajor J = chosen_rows(derivatives, derivatives.J, choice);
   Bound bound;
   for (Index j = 0; j < J.cols(); ++j) {
     double information = J.col(j).squaredNorm();

@@ -38,6 +38,11 @@ struct Bound {
   std::optional<double> standard_error(std::size_t input) const;
 };
 
+/// The derivatives of the chosen values by the numbers, and by the inputs that are taken as exact behind them; below them those of
+/// the priors.
+Eigen::MatrixXd derivatives_by_all(const Derivatives& derivatives, const std::vector<double>& scales,
+                                   const std::vector<InputPrior>& priors, const ValueChoice& choice);
+
 /// @param scales  of the numbers, for `derivatives`
 Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales, const std::vector<InputPrior>& priors,
                const ValueChoice& choice);

@@ -35,7 +35,7 @@ std::vector<PlannedValue> values_of(const Measurement& measurement, std::size_t 
 
 }  // namespace
 
-Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs,
+Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs, std::size_t estimated,
                            const std::vector<PlannedQuantity>& quantities, const std::vector<double>& times_s,
                            const Watch& watch, std::int64_t& predictions) {
   Derivatives found;
@@ -59,19 +59,21 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
   ScaledProblem scaled(problem);
   const std::vector<double> start(inputs.list().size(), 1);
   try {
-    std::vector<std::size_t> without_influence;
-    bool predicted = true;
-    for (std::size_t j = 0; j < start.size() && predicted; ++j) {
-      const auto step = scaled.find_step(start, j);
-      predicted = step != ScaledProblem::StepFound::no_prediction;
-      if (step == ScaledProblem::StepFound::no_influence) without_influence.push_back(j);
-    }
-    predicted = predicted && scaled.jacobian(start, found.J);
-    for (const std::size_t j : without_influence)
-      if (predicted) found.J.col(static_cast<Eigen::Index>(j)).setZero();
-    if (!predicted) {
-      found.outcome = PlanOutcome::prediction_failed;
-      found.reason = "there is no prediction next to the scenario's numbers";
+    found.J.resize(static_cast<Eigen::Index>(scaled.residuals()), static_cast<Eigen::Index>(estimated));
+    found.exact.resize(found.J.rows(), static_cast<Eigen::Index>(start.size() - estimated));
+    Eigen::VectorXd column;
+    for (std::size_t j = 0; j < start.size(); ++j) {
+      const bool is_exact = j >= estimated;
+      const auto step = scaled.derivative(start, j, is_exact ? ScaledProblem::Step::rough : ScaledProblem::Step::fine, column);
+      if (!is_exact && step == ScaledProblem::StepFound::no_prediction) {
+        found.outcome = PlanOutcome::prediction_failed;
+        found.reason = "there is no prediction next to the scenario's numbers";
+        return found;
+      }
+      if (is_exact)
+        found.exact.col(static_cast<Eigen::Index>(j - estimated)) = column;
+      else
+        found.J.col(static_cast<Eigen::Index>(j)) = column;
     }
   } catch (const ScaledProblem::Stopped&) {
     found.outcome = PlanOutcome::interrupted;

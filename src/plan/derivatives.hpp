@@ -27,14 +27,16 @@ struct Derivatives {
   RunStatus status = RunStatus::completed;
   std::string reason;
   std::vector<PlannedValue> values;
-  Eigen::MatrixXd J;  ///< of values in their standard errors (rows) by estimated numbers in their scales (columns)
+  Eigen::MatrixXd J;      ///< of values in their standard errors (rows) by estimated numbers in their scales (columns)
+  Eigen::MatrixXd exact;  ///< the same by the inputs behind these, that are taken as exact
 };
 
 /// Computes the derivatives at the scenario's numbers, by the differences that fits take.
+/// @param estimated   number of inputs that are estimated, the first ones; those behind them are taken as exact
 /// @param quantities  to be measured at each of `times_s`, the first of which is 0
 /// @param predictions  is increased by the number of motions computed
 /// @throws ScenarioError for an azimuth that is not defined
-Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs,
+Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs, std::size_t estimated,
                            const std::vector<PlannedQuantity>& quantities, const std::vector<double>& times_s,
                            const Watch& watch, std::int64_t& predictions);
 

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/plan/plan.hpp"
+#include "measure/finding_json.hpp"
 #include "text/json.hpp"
 #include "text/utf8.hpp"
 
@@ -19,7 +20,9 @@ Json estimate_json(const PlannedEstimate& estimate) {
           {"prior", or_nothing(estimate.prior)},
           {"standard_error", or_nothing(estimate.standard_error)},
           {"significance", or_nothing(estimate.significance())},
-          {"standard_error_alone", or_nothing(estimate.standard_error_alone)}};
+          {"standard_error_alone", or_nothing(estimate.standard_error_alone)},
+          {"finding", measure::finding_json(estimate.finding)},
+          {"exact", measure::exact_json(estimate.exact, estimate.standard_error)}};
 }
 
 Json variation_json(const PlanVariation& variation) {

@@ -121,8 +121,8 @@ class Designs {
     tried.scene = parse_scene(source_, longer);
     const measure::EstimatedInputs inputs(source_, longer, tried.scene, numbers_.names, kMostNumbers);
     tried.value = inputs.list()[0].start;
-    const Derivatives derivatives =
-        derivatives_of(tried.scene, inputs, plan_.quantities, planned_times(plan_.every_s, tried.rows), watch, predictions_);
+    const Derivatives derivatives = derivatives_of(tried.scene, inputs, inputs.list().size(), plan_.quantities,
+                                                   planned_times(plan_.every_s, tried.rows), watch, predictions_);
     if (derivatives.outcome != PlanOutcome::determined) return tried;
     ValueChoice choice;
     choice.correlation_time_s = plan_.correlation_time_s;

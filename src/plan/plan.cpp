@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/exact_inputs.hpp"
+#include "measure/known_rate.hpp"
 #include "measure/measured_motion.hpp"
 #include "plan/advice.hpp"
 #include "plan/bound.hpp"
@@ -108,6 +110,17 @@ void fill_in_errors(PlanReport& report, const Bound& bound) {
   }
 }
 
+/// Says what a measurement of the scenario's own motion would tell of the Earth's rate, and which inputs it takes as exact.
+void add_findings(PlanReport& report, const Scene& scene, const measure::ExactInputs& exact, const Eigen::MatrixXd& J) {
+  for (std::size_t j = 0; j < report.estimates.size(); ++j) {
+    PlannedEstimate& estimate = report.estimates[j];
+    const auto known = measure::known_rate(scene, exact.all().list()[j]);
+    if (known && *estimate.standard_error > 0)
+      estimate.finding = rate_finding(estimate.value, *estimate.standard_error, *known, estimate.prior);
+    if (!estimate.is_nuisance) estimate.exact = exact.shifting(J, j);
+  }
+}
+
 }  // namespace
 }  // namespace plan
 
@@ -162,9 +175,12 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
       report.notes.push_back(fmt::format("marginal: {}", lasting.verdict.reason));
   }
   const EstimatedInputs inputs(source, lasting.overrides, lasting.scene, numbers.names, kMostNumbers);
+  const measure::ExactInputs exact(lasting.scene, numbers.names, [&](const std::vector<std::string>& names) {
+    return EstimatedInputs(source, lasting.overrides, lasting.scene, names, measure::ExactInputs::kMost);
+  });
   for (std::size_t j = 0; j < inputs.list().size(); ++j) {
     const measure::EstimatedInput& input = inputs.list()[j];
-    report.estimates.push_back({input.name, input.unit, input.start, j >= report.plan.estimates.size(), {}, {}, {}});
+    report.estimates.push_back({input.name, input.unit, input.start, j >= report.plan.estimates.size(), {}, {}, {}, {}, {}});
   }
   for (const InputPrior& prior : numbers.priors) report.estimates[prior.input].prior = prior.standard_error;
   if (lasting.status == RunStatus::interrupted) {
@@ -180,8 +196,8 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
   const std::size_t grid_rows = (report.rows - 1) * grid.density * grid.extent + 1;
   const Watch work = parts.next(2 * (1 + 6 * of_numbers), "derivatives");
   const Derivatives derivatives = derivatives_of(
-      lasting.scene, inputs, quantities, planned_times(report.plan.every_s / static_cast<double>(grid.density), grid_rows),
-      work, report.predictions);
+      lasting.scene, exact.all(), exact.fitted(), quantities,
+      planned_times(report.plan.every_s / static_cast<double>(grid.density), grid_rows), work, report.predictions);
   report.status = derivatives.status;
   report.outcome = derivatives.outcome;
   report.reason = derivatives.reason;
@@ -197,6 +213,7 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
     return report;
   }
   fill_in_errors(report, bound);
+  add_findings(report, lasting.scene, exact, derivatives_by_all(derivatives, scales, numbers.priors, choice));
   compare_changes(report, derivatives, scales, numbers.priors, grid, bound, work);
   if (!design.empty()) {
     report.optimum =

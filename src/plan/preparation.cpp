@@ -43,6 +43,14 @@ bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standa
   }
 }
 
+/// Why a stated standard error is no datum. The latitude's and the rate's say how well a component of the rate is known.
+std::string note_on_unused(std::string_view input, const std::vector<std::string>& names, const std::string& why) {
+  const auto component = std::ranges::find_if(names, [](const std::string& name) { return name.starts_with("omega_"); });
+  if (component != names.end() && (input == "latitude_deg" || input == "rotation_rate_rad_s"))
+    return fmt::format("the stated uncertainty of {} says how well {} is known; it is no datum", input, *component);
+  return fmt::format("the stated uncertainty of {} is not used: {}", input, why);
+}
+
 }  // namespace
 
 Scene scene_to_measure(const ScenarioSource& source, const Overrides& overrides) {
@@ -83,7 +91,7 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
     bool is_used = false;
     for (const measure::InputPlace& place : measure::places_of(kInputs[k]))
       if (!is_used) is_used = add_prior(numbers, place, (*uncertainty)[k], inputs_of, why);
-    if (!is_used) numbers.notes.push_back(fmt::format("the stated uncertainty of {} is not used: {}", kInputNames[k], why));
+    if (!is_used) numbers.notes.push_back(note_on_unused(kInputNames[k], numbers.names, why));
   }
   return numbers;
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "measure/document.hpp"
+#include "report/exact_inputs_html.hpp"
 #include "report/pages.hpp"
 #include "results/time_unit.hpp"
 #include "text/json.hpp"
@@ -80,6 +81,15 @@ std::string correlation_html(const Json& document) {
   return "<h3>Correlation of the estimates' errors</h3>\n" + wide_table(header, rows);
 }
 
+/// What the estimates of the Earth's rate rest on, or the first one where there is none of these.
+std::string exact_html(const Json& document) {
+  const Json& estimates = document.at("estimates");
+  std::string html;
+  for (const Json& estimate : estimates)
+    if (estimate.value("finding", Json()).is_object()) html += exact_inputs_html(estimate);
+  return html.empty() ? exact_inputs_html(estimates.front()) : html;
+}
+
 std::string priors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& prior : document.value("priors", Json::array())) {
@@ -142,8 +152,9 @@ Report measurement_page(const Json& document) {
                             agrees ? "agree" : "do not agree"));
   page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
   if (!document.at("estimates").empty())
-    page.section("estimates", "Estimates",
-                 list_html(told) + estimates_html(document) + correlation_html(document) + priors_html(document));
+    page.section(
+        "estimates", "Estimates",
+        list_html(told) + estimates_html(document) + correlation_html(document) + priors_html(document) + exact_html(document));
   page.section("agreement", "Agreement", agreement_html(document));
   const MeasurementReport report = measure::measurement_of(document);
   if (report.residuals.empty()) return page.finish();

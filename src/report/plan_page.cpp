@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "earthtop/plan/plan.hpp"
+#include "report/exact_inputs_html.hpp"
 #include "report/pages.hpp"
 #include "text/json.hpp"
 
@@ -25,6 +26,8 @@ PlanReport pictured(const Json& document) {
                                 false,
                                 {},
                                 number_in(estimate.at("standard_error")),
+                                {},
+                                {},
                                 {}});
   for (const Json& variation : document.at("variations"))
     for (const PlanChange change : {PlanChange::duration, PlanChange::rows, PlanChange::sigma})
@@ -100,7 +103,8 @@ Report plan_page(const Json& document) {
   page.section("plan", "Plan", facts_html(facts) + (notes.empty() ? "" : "<ul>" + notes + "</ul>\n"));
   if (!is_determined) return page.finish();
   const std::string unit = report.estimates.at(0).unit;
-  page.section("estimates", "Standard errors", errors_html(document) + costs_html(document, unit));
+  page.section("estimates", "Standard errors",
+               errors_html(document) + costs_html(document, unit) + exact_inputs_html(document.at("estimates").at(0)));
   page.section(
       "changes", "What a change would do",
       page.chart("changes", plan_figure(report),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tests what a scenario's uncertainty block adds to a fit, and what the estimates say in words.
+// Tests what a scenario's uncertainty block adds to a fit.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -127,34 +127,6 @@ TEST_F(Priors, ThatCannotEnterAreRefused) {
                ScenarioError);
   EXPECT_THROW(compare_with_measurement(shipped("free-gyro"), with(R"({"tilt_deg": 1})"), data, {.priors = true}),
                ScenarioError);
-}
-
-TEST(Sentences, SayWhatWasSeen) {
-  struct Case {
-    std::string name, unit;
-    double start, estimate, error, scaled;
-    bool by_scatter;
-    std::string expected;
-  };
-  const Case cases[] = {
-      {"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, 5.16e-5, 3.0e-6, 3.0e-6, false,
-       "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma; the scenario's 5.2e-05 is 0.1 sigma "
-       "above it"},
-      {"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, -5.16e-5, 3.0e-6, 6.0e-6, true,
-       "the Earth's rate times sin(latitude) is -5.16e-5 ± 0.60e-5 rad/s (the standard error that the scatter gives, 2 "
-       "times the one from the stated errors): seen at 8.6 sigma; the scenario's 5.2e-05 is 17 sigma above it"},
-      {"rotation_rate_rad_s", "rad/s", 7.3e-5, 4e-5, 8e-5, 9e-5, false,
-       "the Earth's rate is 4.0e-5 ± 8.0e-5 rad/s: not seen, 0.5 sigma from 0; the scenario's 7.3e-05 is 0.4 sigma above it"},
-      {"latitude_deg", "deg", 45, 45.7, 0.35, 0.35, false,
-       "the latitude is 45.70 ± 0.35 deg; the scenario's 45 is 2.0 sigma below it"},
-      {"/body/mass_kg", "kg", 0.1, 0.1, 0.02, 0.02, false,
-       "/body/mass_kg is 0.100 ± 0.020 kg; the scenario's 0.1 is 0.0 sigma above it"},
-      {"spin_rad_s", "rad/s", 2e7, 2.5e7, 1e6, 1e6, false,
-       "the spin is 2.50e7 ± 0.10e7 rad/s; the scenario's 20000000 is 5.0 sigma below it"},
-  };
-  for (const Case& c : cases)
-    EXPECT_EQ(estimate_sentence({c.name, c.unit, c.start, c.estimate, c.error, c.scaled}, c.by_scatter), c.expected);
-  EXPECT_EQ(estimate_sentence({"latitude_deg", "deg", 45, {}, {}, {}}, false), "");
 }
 
 }  // namespace

@@ -77,13 +77,19 @@ def test_a_fit_is_the_programs(run, scenarios, top, data, tmp_path, options, fla
 def test_a_fit_finds_the_earth_in_noisy_data(top, data):
     rate = 7.292115e-5 * np.sin(np.radians(top["latitude_deg"]))
     still = et.Scenario(top.changed({"earth/rotation_rate_rad_s": 7e-5}).to_dict())
-    found = et.fit(still, data, [VERTICAL])
+    taken_as_exact = et.fit(still, data, [VERTICAL])
+    assert not taken_as_exact.agrees and "contradicts the scenario's 4.949747e-05" in taken_as_exact.sentences[0]
+    found = et.fit(still.changed({"uncertainty/rotation_rate_rad_s": 5e-6}), data, [VERTICAL])
     assert found.outcome == "converged" and found.agrees and found.reason == ""
     row = found.estimates.loc[VERTICAL]
     assert row["unit"] == "rad/s" and 0 < row["standard_error"] < 0.05 * rate
     assert abs(row["estimate"] - rate) < 3 * row["standard_error"]
     assert abs(row["start"] - rate) > 3 * row["standard_error"]  # the Earth would not do as it was given
     assert found.sentences[0].startswith("the Earth's rate times sin(latitude)") and VERTICAL not in repr(found.sentences)
+    assert found.estimates.loc[VERTICAL, "finding"] == "seen"
+    exact = found.exact.set_index("name")
+    assert (found.exact["estimate"] == VERTICAL).all() and "center_of_mass_m" in exact.index and VERTICAL not in exact.index
+    assert (exact["error_of_one_sigma"] * exact["shift"].abs() / row["standard_error"]).to_numpy() == pytest.approx(1)
     assert found.correlation.loc[VERTICAL, VERTICAL] == 1
     assert found.degrees_of_freedom == 61 and 0.001 < found.p_value < 1
     assert found.chi_squared == pytest.approx((found.residuals["normalised"] ** 2).sum(), rel=1e-12)
@@ -187,6 +193,9 @@ def test_a_planned_error_is_that_of_the_fit(top, data):
     fitted = et.fit(top, data, VERTICAL)
     assert fitted.estimates.loc[VERTICAL, "standard_error"] == pytest.approx(
         planned.estimates.loc[VERTICAL, "standard_error"], rel=1e-3)
+    assert planned.estimates.loc[VERTICAL, "finding"] == "seen"
+    shifts = [one.exact.set_index("name")["shift"] for one in (planned, fitted)]
+    assert shifts[1][shifts[0].index].to_numpy() == pytest.approx(shifts[0].to_numpy(), rel=0.1)
 
 
 @pytest.mark.parametrize("arguments, message", [

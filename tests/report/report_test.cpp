@@ -208,6 +208,8 @@ MeasurementReport made_up_measurement() {
   report.as_given = ChiSquared{9, 0, 10, 0.5};
   report.estimates = {{"omega_sin_latitude_rad_s", "rad/s", 5.2e-5, 5.16e-5, 3e-6, 3e-6},
                       {"tilt_deg", "deg", 20, 20.1, 0.1, 0.1}};
+  report.estimates[0].finding = rate_finding(5.16e-5, 3e-6, {5.2e-5, 0}, {});
+  report.estimates[0].exact = {{"gravity_m_s2", "m/s^2", 9.81, 0.01, 1.5e-3, 0}};
   report.correlation = {{1, -0.25}, {-0.25, 1}};
   report.priors = {{"tilt_deg", "tilt_deg", "deg", 20, 0.2, 0.5}};
   report.unused_priors = {{"gravity_m_s2", "it is <not> estimated"}};
@@ -228,8 +230,10 @@ TEST(Report, AMeasurementShowsWhatItSays) {
   const Report page = make_report(dir.path() / "m.json");
   const std::string html = page.html;
   for (const char* text :
-       {"they <strong>agree", "the Earth&#39;s rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17 sigma",
-        "a&lt;top", "Correlation of the estimates", "-0.25</data>", "Known beforehand", "it is &lt;not&gt; estimated",
+       {"they <strong>agree",
+        "the Earth&#39;s rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen, zero is excluded at 17 sigma",
+        "Taken as exact", "would shift omega_sin_latitude_rad_s by one standard error", "0.002 m/s", "a&lt;top",
+        "Correlation of the estimates", "-0.25</data>", "Known beforehand", "it is &lt;not&gt; estimated",
         "data-chart=\"data\"", "data-chart=\"residuals\""})
     EXPECT_NE(html.find(text), html.npos) << text;
   ASSERT_EQ(page.pictures.size(), 2u);

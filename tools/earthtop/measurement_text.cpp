@@ -8,6 +8,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "exact_inputs_text.hpp"
 #include "screen.hpp"
 #include "wrapped.hpp"
 
@@ -41,6 +42,8 @@ std::string agreement_text(const MeasurementReport& report, bool color) {
     reason = "the prediction does not reach the last row";
   else if (report.fit != FitOutcome::not_asked && !report.fitted)
     reason = "there is no fit";
+  else if (report.contradicts_known_rate())
+    reason = "an estimate contradicts the known rate of the Earth";
   return fmt::format("{}: {}", strong("no", "31", color), reason);
 }
 
@@ -59,6 +62,18 @@ std::string estimates_text(const MeasurementReport& report, const Screen& screen
     for (std::size_t k = 0; k < j; ++k)
       add_detail(fmt::format("correlation with {}  {:+.4f}", printable(report.estimates[k].name), report.correlation[j][k]));
   }
+  return text;
+}
+
+/// What the estimates of the Earth's rate rest on, or the first one where there is none of these.
+std::string exact_text(const MeasurementReport& report, const Screen& screen) {
+  std::string text;
+  const auto add = [&](const ParameterEstimate& e) {
+    text += exact_inputs_text(e.exact, e.name, report.scatters_more() ? *e.standard_error_scaled : *e.standard_error, screen);
+  };
+  for (const ParameterEstimate& estimate : report.estimates)
+    if (estimate.finding) add(estimate);
+  if (text.empty()) add(report.estimates.front());
   return text;
 }
 
@@ -106,7 +121,7 @@ std::string measurement_text(const MeasurementReport& report, const Screen& scre
   for (const UnusedPrior& prior : report.unused_priors)
     add("Prior", fmt::format("{} did not enter: {}", prior.name, printable(prior.reason)));
   for (const std::string& note : report.notes) add("Note", printable(note));
-  if (report.fitted) text += estimates_text(report, screen);
+  if (report.fitted) text += estimates_text(report, screen) + exact_text(report, screen);
   return report.residuals.empty() ? text : text + residuals_text(report);
 }
 

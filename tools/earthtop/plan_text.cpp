@@ -8,6 +8,7 @@
 
 #include "earthtop/error.hpp"
 #include "earthtop/plan/plan.hpp"
+#include "exact_inputs_text.hpp"
 #include "screen.hpp"
 #include "wrapped.hpp"
 
@@ -133,7 +134,9 @@ std::string plan_text(const PlanReport& report, const Screen& screen) {
   if (report.outcome == PlanOutcome::not_determined) add("Remedy", printable(report.advice));
   for (const std::string& note : report.notes) add("Note", printable(note));
   if (report.outcome != PlanOutcome::determined) return text;
-  text += estimates_text(report, screen) + variations_text(report);
+  const PlannedEstimate& target = report.estimates[0];
+  text += estimates_text(report, screen) + exact_inputs_text(target.exact, target.name, *target.standard_error, screen) +
+          variations_text(report);
   if (report.optimum) text += optimum_text(report, screen);
   return text + '\n' + wrapped(printable(report.advice), screen.width) + '\n';
 }

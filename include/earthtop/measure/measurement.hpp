@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "earthtop/error.hpp"
+#include "earthtop/measure/exact_input.hpp"
+#include "earthtop/measure/rate_finding.hpp"
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
@@ -104,6 +106,8 @@ struct ParameterEstimate {
   /// The standard error multiplied by sqrt(chi-squared / degrees of freedom) where that is above 1, so that it reflects the
   /// scatter of the residuals.
   std::optional<double> standard_error_scaled;
+  std::optional<RateFinding> finding = {};  ///< of an estimate of the Earth's rate, with the scaled error if that is said
+  std::vector<ExactInput> exact = {};       ///< inputs that were taken as exact and shift it, those that shift it most first
 };
 
 /// A standard error of the scenario's `uncertainty` block that entered the fit: the input is known beforehand to be `mean`.
@@ -182,8 +186,11 @@ struct MeasurementReport {
 
   /// Whether the residuals after the fit scatter by more than the stated errors explain.
   bool scatters_more() const { return fitted && fitted->p_value && *fitted->p_value < kLeastPValue; }
-  /// Whether measurement and scenario agree: the prediction reached the last row, a fit that was asked for converged, and the
-  /// p-value of the residuals is at least kLeastPValue. Without degrees of freedom there is no p-value to contradict.
+  /// Whether an estimate contradicts the known rate of the Earth.
+  bool contradicts_known_rate() const;
+  /// Whether measurement and scenario agree: the prediction reached the last row, a fit that was asked for converged, the
+  /// p-value of the residuals is at least kLeastPValue, and no estimate contradicts the known rate of the Earth. Without degrees
+  /// of freedom there is no p-value to contradict.
   bool agrees() const;
 };
 
@@ -202,9 +209,9 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Measurement& measurement, const MeasurementOptions& options = {},
                                            const Watch& watch = {});
 
-/// Says what the data show about an input, e.g. "the Earth's rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen at 17
-/// sigma; the scenario's 5.1563e-5 is 0.1 sigma below it". "Seen" is said of the Earth's rate alone, whose absence means
-/// something. Empty without an estimate.
+/// Says what the data show about an input, e.g. "the tilt at release is 12.10 ± 0.05 deg; the scenario's 12 is 2.0 sigma below
+/// it". Of an estimate with a finding it says that, and which errors of other inputs would do it where it contradicts. Empty
+/// without an estimate.
 /// @param by_scatter  take the standard error scaled by the scatter, and say so
 std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
 

@@ -49,6 +49,8 @@ struct PlannedEstimate {
   std::optional<double> prior;           ///< standard error with which it is known already, from the scenario's `uncertainty`
   std::optional<double> standard_error;  ///< Cramer-Rao bound; none where the plan does not determine all numbers
   std::optional<double> standard_error_alone;  ///< the same if all other numbers were known exactly
+  std::optional<RateFinding> finding;          ///< of a rate of the Earth: what a measurement of the scenario's value would say
+  std::vector<ExactInput> exact;  ///< of a number that is wanted: inputs that are taken as exact and shift it, most first
   /// |value| / standard error
   std::optional<double> significance() const;
 };

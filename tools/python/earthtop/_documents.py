@@ -64,6 +64,17 @@ class Document:
         return f"<div><p><b>{escape(self._headline())}</b></p>" + (f"<ul>{lines}</ul>" if lines else "") + f"{self.svg}</div>"
 
 
+def exact_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
+    """The inputs that each estimate of a document takes as exact."""
+    rows = [{"estimate": one["name"], **exact} for one in document["estimates"] for exact in one.get("exact", [])]
+    return table(rows, ["estimate", "name", "unit"], ["value", "stated", "shift", "misfit", "error_of_one_sigma"])
+
+
+def findings_of(document: Mapping[str, Any]) -> List[Dict[str, Any]]:
+    """The estimates of a document, each with the outcome of its finding in the place of the finding."""
+    return [{**one, "finding": (one.get("finding") or {}).get("outcome")} for one in document["estimates"]]
+
+
 def table(rows: Sequence[Mapping[str, Any]], words: Sequence[str], numbers: Sequence[str], *, index: str = "",
           order: Sequence[str] = ()) -> "pandas.DataFrame":
     """A DataFrame of some keys of JSON objects.

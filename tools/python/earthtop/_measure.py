@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 import numpy as np
 
 from . import _core
-from ._documents import Document, Given, correlation_of, errors_named, names_of, number, parts_of, table
+from ._documents import Document, Given, correlation_of, errors_named, exact_of, findings_of, names_of, number, parts_of, table
 from ._errors import refuse
 from ._progress import Progress, Reporter
 from ._scenario import Scenario, ScenarioLike, as_scenario
@@ -84,9 +84,19 @@ class Fit(Document):
     @property
     def estimates(self) -> "pandas.DataFrame":
         """One row for each estimated number, by its name: its unit, the scenario's value (``start``), the estimate, its
-        standard error from the stated errors, and that error scaled by the scatter of the residuals where this is larger."""
-        return table(self.document["estimates"], ["name", "unit"],
-                     ["start", "estimate", "standard_error", "standard_error_scaled"], index="name")
+        standard error from the stated errors, and that error scaled by the scatter of the residuals where this is larger. Of a
+        rate of the Earth ``finding`` says whether it is ``"seen"``, ``"not_seen"``, or ``"contradicts"`` the known rate."""
+        return table(findings_of(self.document), ["name", "unit", "finding"],
+                     ["start", "estimate", "standard_error", "standard_error_scaled"], index="name",
+                     order=["name", "unit", "start", "estimate", "standard_error", "standard_error_scaled", "finding"])
+
+    @property
+    def exact(self) -> "pandas.DataFrame":
+        """The inputs of the scenario that were not fitted and shift an estimate, those that shift it most first: if the true value
+        of one is larger than the scenario's by d, the estimate is larger by ``shift * d``, and the residuals in standard errors
+        have ``misfit * d`` more length; ``error_of_one_sigma`` shifts the estimate by its standard error. ``stated`` is the
+        standard error in the scenario's ``uncertainty``."""
+        return exact_of(self.document)
 
     @property
     def correlation(self) -> "pandas.DataFrame":

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple
 
 from . import _core
-from ._documents import Document, correlation_of, errors_named, names_of, number, parts_of, table
+from ._documents import Document, correlation_of, errors_named, exact_of, findings_of, names_of, number, parts_of, table
 from ._errors import refuse
 from ._measure import Names, measured, times
 from ._progress import Progress, Reporter
@@ -33,11 +33,20 @@ class Plan(Document):
     def estimates(self) -> "pandas.DataFrame":
         """One row for each number that is fitted, by its name: its unit, the scenario's value, whether it is fitted along only
         (``nuisance``), the standard error known beforehand (``prior``) and the one to be expected, the value in standard errors
-        (``significance``), and the standard error if all other numbers were known exactly."""
-        return table(self.document["estimates"], ["name", "unit", "nuisance"],
+        (``significance``), the standard error if all other numbers were known exactly, and of a rate of the Earth whether it
+        would be ``"seen"`` (``finding``)."""
+        return table(findings_of(self.document), ["name", "unit", "nuisance", "finding"],
                      ["value", "prior", "standard_error", "significance", "standard_error_alone"], index="name",
                      order=["name", "unit", "value", "nuisance", "prior", "standard_error", "significance",
-                            "standard_error_alone"])
+                            "standard_error_alone", "finding"])
+
+    @property
+    def exact(self) -> "pandas.DataFrame":
+        """The inputs of the scenario that are not fitted and shift what is wanted, those that shift it most first: if the true value
+        of one is larger than the scenario's by d, the estimate is larger by ``shift * d``, and the residuals in standard errors
+        have ``misfit * d`` more length; ``error_of_one_sigma`` shifts it by its standard error. ``stated`` is the
+        standard error in the scenario's ``uncertainty``."""
+        return exact_of(self.document)
 
     @property
     def correlation(self) -> "pandas.DataFrame":

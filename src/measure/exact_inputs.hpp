@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which inputs a fit takes as exact, and the shifts of its estimates by their errors.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "earthtop/measure/exact_input.hpp"
+#include "measure/estimated_inputs.hpp"
+
+namespace earthtop::measure {
+
+/// The fitted inputs of a scene and, behind them, those that could be fitted besides them and are taken as exact: the inputs that
+/// may have a standard error, the azimuth at release, and the other component of the Earth's rate.
+class ExactInputs {
+ public:
+  static constexpr std::size_t kMost = 64;  ///< names that `inputs_of` has to take
+
+  using InputsOf = std::function<EstimatedInputs(const std::vector<std::string>&)>;
+
+  /// @param inputs_of  makes inputs of names, or throws a ScenarioError
+  ExactInputs(const Scene& scene, const std::vector<std::string>& fitted, const InputsOf& inputs_of);
+
+  /// Fitted inputs and exact ones; the latter begin at `fitted()`.
+  const EstimatedInputs& all() const { return all_; }
+  std::size_t fitted() const { return fitted_; }
+  std::size_t exact() const { return all_.list().size() - fitted_; }
+
+  /// The exact inputs whose errors shift a fitted one, those first that shift it most: by an error as stated, or else by a
+  /// thousandth of the input's scale.
+  /// @param J       derivatives of normalised residuals (rows), those of priors included, by all inputs in their scales
+  /// @param fitted  place of the fitted one
+  std::vector<ExactInput> shifting(const Eigen::MatrixXd& J, std::size_t fitted) const;
+
+ private:
+  EstimatedInputs all_;
+  std::size_t fitted_;
+  std::vector<std::optional<double>> stated_;  ///< of each exact input, in its unit
+  std::vector<double> usual_;                  ///< an error of each exact input that is not unusual, in its unit
+};
+
+}  // namespace earthtop::measure

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a result rests on, on the pages of comparisons and of plans.
+#pragma once
+
+#include <string>
+
+#include "report/html.hpp"
+
+namespace earthtop::report {
+
+/// A table of the inputs that were taken as exact for an estimate of a document. Empty without any.
+std::string exact_inputs_html(const Json& estimate);
+
+}  // namespace earthtop::report
