@@ -82,6 +82,7 @@ std::vector<ExactInput> ExactInputs::shifting(const Eigen::MatrixXd& J, std::siz
     const auto column = static_cast<Index>(k);
     const double shift = all_shifts(static_cast<Index>(fitted), column);
     if (!(std::abs(shift) > kLeastShift * error * by_exact.col(column).norm())) continue;
+    if (!(std::abs(shift) > error)) continue;  // one as wrong as it is large would not shift the estimate by a standard error
     const EstimatedInput& input = all_.list()[fitted_ + k];
     const double by_unit = shift * all_.list()[fitted].scale / input.scale;
     const double misfit = (by_exact.col(column) - R.leftCols(static_cast<Index>(fitted_)) * all_shifts.col(column)).norm();

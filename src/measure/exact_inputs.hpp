@@ -30,8 +30,8 @@ class ExactInputs {
   std::size_t fitted() const { return fitted_; }
   std::size_t exact() const { return all_.list().size() - fitted_; }
 
-  /// The exact inputs whose errors shift a fitted one, those first that shift it most: by an error as stated, or else by a
-  /// thousandth of the input's scale.
+  /// The exact inputs whose errors shift a fitted one by its standard error where they are below the input's scale. Those come first
+  /// that shift it most: by an error as stated, or else by a thousandth of the scale.
   /// @param J       derivatives of normalised residuals (rows), those of priors included, by all inputs in their scales
   /// @param fitted  place of the fitted one
   std::vector<ExactInput> shifting(const Eigen::MatrixXd& J, std::size_t fitted) const;

@@ -125,7 +125,6 @@ std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
     uncertain = std::abs(narrow - wide) + std::abs(first - (rate_at(fine) - rate_at(-fine)) / (2 * fine));
     second = (p1 - 2 * rates->precession_rad_s + m1) / (h * h);
   }
-  if (!std::isfinite(first) || !std::isfinite(second)) return std::nullopt;
   // Terms of second order have the sums of multiples of both frequencies as divisors.
   double slowest = std::numeric_limits<double>::infinity();
   constexpr int kMost = 2;
@@ -134,8 +133,10 @@ std::optional<RateChange> precession_rate_change(const TopOnEarth& scene) {
       if (j > 0 || k > 0) slowest = std::min(slowest, std::abs(j * rates->nutation_rad_s + k * rates->precession_rad_s));
   const double Omega = norm(scene.W_L);
   constexpr double kSecondOrder = 3;
-  return RateChange{first - scene.W_L[2], kSecondOrder * (std::abs(second) / 2 + (Omega + std::abs(first)) * Omega / slowest) +
-                                              uncertain + change_by_close_passes(constants, *rates, scene.n_L[2], Omega)};
+  const double left_out = kSecondOrder * (std::abs(second) / 2 + (Omega + std::abs(first)) * Omega / slowest) + uncertain +
+                          change_by_close_passes(constants, *rates, scene.n_L[2], Omega);
+  if (!std::isfinite(first) || !std::isfinite(left_out)) return std::nullopt;  // next to the vertical or to a separatrix
+  return RateChange{first - scene.W_L[2], left_out};
 }
 
 /// The mean lean of a top released upright, which circles about its place of rest; what is left out counts the circles that the
