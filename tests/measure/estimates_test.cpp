@@ -22,8 +22,9 @@ using namespace test;
 TEST_F(MeasurementTest, TheEarthsRateFromOneDriftOfAHeavyTop) {
   const Measurement measurement = read("t_s,drift_azimuth_rad,drift_azimuth_se_rad\n60,0.0035970975670805857,1e-8\n");
   const auto source = shipped("steady-precession-slow");
-  const auto report =
-      compare_with_measurement(source, {{"/earth/rotation_rate_rad_s", "6e-5"}}, measurement, {{"rotation_rate_rad_s"}});
+  const auto report = compare_with_measurement(
+      source, {{"/earth/rotation_rate_rad_s", "6e-5"}, {"/uncertainty", R"({"rotation_rate_rad_s": 2e-5})"}}, measurement,
+      {{"rotation_rate_rad_s"}});
   ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
   const ParameterEstimate& rate = report.estimates[0];
   EXPECT_EQ(rate.start, 6e-5);

@@ -120,12 +120,14 @@ TEST(Plan, StatedUncertaintiesArePriors) {
   }
   const double expected = std::sqrt(c / (a * c - b * b)) / kDegree;
   EXPECT_NEAR(*report.estimates[0].standard_error, expected, 0.01 * expected);  // and terms of first order in the turn, 0.007
-  // The vertical rate stands for the latitude, whose uncertainty is left out with a note.
+  // The vertical rate stands for the latitude, whose uncertainty says how well that rate is known.
   const PlanReport rate = plan_measurement(shipped("free-gyro"), set, plan_for("azimuth_deg", 0.01, 1, 100));
   ASSERT_EQ(rate.estimates.size(), 2u);
   EXPECT_EQ(rate.estimates[1].name, "tilt_deg");
   ASSERT_EQ(rate.notes.size(), 1u);
-  EXPECT_NE(rate.notes[0].find("uncertainty of latitude_deg is not used"), std::string::npos);
+  EXPECT_NE(rate.notes[0].find("uncertainty of latitude_deg says how well omega_sin_latitude_rad_s is known"),
+            std::string::npos);
+  EXPECT_NEAR(rate.estimates[0].finding->known.standard_error, kVertical45 * kDegree, 1e-6 * kVertical45 * kDegree);
 }
 
 /// The spin may be given as a rate about body axis 3; a quaternion has no tilt that could be changed.
