@@ -45,6 +45,7 @@ add_library(earthtop-workbench
   measure/exact_inputs.cpp
   measure/figure.cpp
   measure/file.cpp
+  measure/findings.cpp
   measure/fitted_scenario.cpp
   measure/influences.cpp
   measure/input_places.cpp
