@@ -15,6 +15,7 @@ add_library(earthtop-workbench
   bench/reference.cpp
   bench/write.cpp
   compare/compact_reference.cpp
+  compare/common_end.cpp
   compare/comparand.cpp
   compare/comparand_values.cpp
   compare/compare.cpp
@@ -38,6 +39,7 @@ add_library(earthtop-workbench
   compare/stores.cpp
   compare/survey.cpp
   compare/tolerances.cpp
+  compare/trust.cpp
   compare/update.cpp
   measure/columns.cpp
   measure/document.cpp

@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
+#include "compare/common_end.hpp"
 #include "compare/cost.hpp"
 #include "compare/figures.hpp"
 #include "compare/hints.hpp"
@@ -16,6 +17,7 @@
 #include "compare/scenario_changes.hpp"
 #include "compare/snapshot.hpp"
 #include "compare/stores.hpp"
+#include "compare/trust.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "text/json.hpp"
@@ -72,28 +74,6 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
   if (!allowed.empty()) report.notes.push_back("other scenario, as allowed: " + listed(allowed));
 }
 
-/// The time until which a side's verdict trusts its run; none where it trusts it to the end.
-std::optional<double> trusted_until(const Comparand& side) {
-  const std::string verdict = side.word("/drift/verdict");
-  if (verdict == "reliable" || verdict == "noise_floor" || verdict.empty()) return std::nullopt;
-  return side.number("/drift/reliable/until_s");
-}
-
-/// The earlier of both sides' times of trust. A candidate's verdict cannot shorten the comparison at will: a time that is
-/// far earlier than the other side's is a finding.
-std::optional<double> trusted_until(const Comparand& reference, const Comparand& candidate, bool same_scenario,
-                                    PairReport& report) {
-  const auto before = trusted_until(reference), now = trusted_until(candidate);
-  if (!before && !now) return std::nullopt;
-  const double end = reference.number("/outcome/reached_s").value_or(0);
-  const double trusted_before = before.value_or(end), trusted_now = now.value_or(end);
-  const double least = same_scenario ? kSameTrust : kOtherTrust;  // other numerics have other errors to grow from
-  if (!(trusted_now >= least * trusted_before) || !(trusted_before >= least * trusted_now))
-    report.findings.push_back({"other verdict", fmt::format("trusted until t = {:.6g} s in the reference, until {:.6g} s now",
-                                                            trusted_before, trusted_now)});
-  return std::min(trusted_before, trusted_now);
-}
-
 void append(RowsComparison&& rows, PairReport& report) {
   for (QuantityVerdict& quantity : rows.quantities) report.quantities.push_back(std::move(quantity));
   report.findings.insert(report.findings.end(), rows.findings.begin(), rows.findings.end());
@@ -125,19 +105,59 @@ void require_assessed(const Comparand& side) {
                 "judged without them; run the scenario again");
 }
 
-void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
-  require_assessed(reference);
-  require_assessed(candidate);
-  compare_scenarios(reference, candidate, options, report);
+/// Says which figures were left out, and why.
+void note_left_out(PairReport& report) {
+  std::vector<std::string_view> told;
+  for (const LeftOut& first : report.left_out) {
+    if (std::find(told.begin(), told.end(), first.why) != told.end()) continue;
+    told.push_back(first.why);
+    std::string names;
+    for (const LeftOut& one : report.left_out)
+      if (one.why == first.why) names += (names.empty() ? "" : ", ") + one.name;
+    report.notes.push_back(fmt::format("not compared: {}: {}", names, first.why));
+  }
+}
+
+/// Compares the figures of two runs' summaries.
+void compare_summaries(const Comparand& reference, const Comparand& candidate, const RowsContext& rows, const LongerRun* longer,
+                       const CompareOptions& options, PairReport& report) {
+  FigureContext context;
+  context.same_computation = rows.same_computation;
+  context.whole_run = !magnifies_rounding(reference) && !magnifies_rounding(candidate);
+  context.end_trusted = rows.trust.at(candidate.number("/outcome/reached_s").value_or(0));
+  const Json::json_pointer motion("/scenario/motion");
+  context.same_rows = reference.summary->value(motion, Json()) == candidate.summary->value(motion, Json());
+  context.both_of_motion = reference.number("/drift/axis_max_at_s") && candidate.number("/drift/axis_max_at_s");
+  context.longer = longer;
+  FiguresComparison figures = compare_figures(reference, candidate, context, options);
+  for (QuantityVerdict& figure : figures.quantities) report.quantities.push_back(std::move(figure));
+  report.left_out = std::move(figures.left_out);
+  note_left_out(report);
+  if (longer) return;
+  if (!context.same_rows) report.notes.emplace_back("not compared: means over the rows, since the rows are different now");
+  if (!context.both_of_motion)
+    report.notes.emplace_back(
+        "not compared: largest values, swings and turns seen, since one of the results is of an older version, which took them "
+        "from its rows");
+}
+
+/// @param longer  for runs of unlike lengths, of which one side is its `comparand`; else null
+void compare_up_to_end(const Comparand& reference, const Comparand& candidate, const LongerRun* longer,
+                       const CompareOptions& options, PairReport& report) {
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
   context.natural_rate_rad_s = std::max(natural_rate(reference), natural_rate(candidate));
   context.both_runs = reference.has_summary() && candidate.has_summary();
   context.same_scenario = report.findings.empty() && context.both_runs &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
-  if (context.both_runs) context.until_s = trusted_until(reference, candidate, context.same_scenario, report);
-  context.same_computation = context.same_scenario && !context.until_s;
-  if (context.until_s && options.tolerances.profile != Profile::bitwise) report.until_s = context.until_s;
+  if (longer) context.end_s = longer->end.t_s;
+  if (context.both_runs) {
+    const double end_s = context.end_s.value_or(reference.number("/outcome/reached_s").value_or(0));
+    context.trust = common_trust(reference, candidate, end_s, context.same_scenario ? kSameTrust : kOtherTrust);
+    if (!context.trust.fault.empty()) report.findings.push_back({"other verdict", context.trust.fault});
+  }
+  context.same_computation = context.same_scenario && !magnifies_rounding(reference) && !magnifies_rounding(candidate);
+  if (options.tolerances.profile != Profile::bitwise) report.until_s = context.trust.until_s();
   RowsComparison rows = compare_rows(reference, candidate, context, options);
   report.rows = rows.rows;
   const bool differs =
@@ -150,20 +170,18 @@ void compare_runs(const Comparand& reference, const Comparand& candidate, const 
     report.findings.push_back({"missing file", "torques.csv is missing in the new result"});
   else if (candidate.open_torques && context.both_runs && !reference.has_some_rows_only)
     report.findings.push_back({"extra file", "torques.csv is missing in the reference"});
-  if (context.both_runs) {
-    const Json::json_pointer motion("/scenario/motion");
-    const bool same_rows = reference.summary->value(motion, Json()) == candidate.summary->value(motion, Json());
-    const bool both_of_motion = reference.number("/drift/axis_max_at_s") && candidate.number("/drift/axis_max_at_s");
-    for (QuantityVerdict& figure : compare_figures(
-             reference, candidate, {context.same_computation, !context.until_s, same_rows, both_of_motion}, options))
-      report.quantities.push_back(std::move(figure));
-    if (!same_rows) report.notes.emplace_back("not compared: means over the rows, since the rows are different now");
-    if (!both_of_motion)
-      report.notes.emplace_back(
-          "not compared: largest values, swings and turns seen, since one of the results is of an older version, which took "
-          "them from "
-          "its rows");
-  }
+  if (context.both_runs) compare_summaries(reference, candidate, context, longer, options, report);
+}
+
+void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
+  require_assessed(reference);
+  require_assessed(candidate);
+  compare_scenarios(reference, candidate, options, report);
+  const std::optional<LongerRun> longer = find_common_end(reference, candidate, options);
+  if (longer) report.common_end = longer->end;
+  const bool reference_goes_on = longer && longer->end.reference_goes_on;
+  compare_up_to_end(reference_goes_on ? longer->comparand : reference,
+                    longer && !reference_goes_on ? longer->comparand : candidate, longer ? &*longer : nullptr, options, report);
   options.watch.reach(1);
   report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
 }

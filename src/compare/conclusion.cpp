@@ -38,25 +38,8 @@ std::string share_words(const QuantityVerdict& quantity) {
                             : fmt::format("{:.3g} times its tolerance", quantity.share);
 }
 
-}  // namespace
-
-std::string in_words(std::string_view quantity) {
-  const auto in_short = [](std::string_view meaning) { return std::string(meaning.substr(0, meaning.find_first_of(";:"))); };
-  for (const RowQuantity& known : kDriftQuantities)
-    if (known.measure == quantity) return in_short(known.meaning);
-  for (const RowQuantity& known : torque_quantities())
-    if (known.measure == quantity) return in_short(known.meaning);
-  std::string_view unit;
-  for (const std::string_view ending : {"_rad_s", "_m_s2", "_N_m", "_kg_m2", "_rad", "_deg", "_kg", "_hz", "_1_s", "_s", "_m"})
-    if (unit.empty() && quantity.ends_with(ending)) unit = ending;
-  std::string words(quantity.substr(0, quantity.size() - unit.size()));
-  for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] == '_' || words[i] == '.') words[i] = ' ';
-  return words + " of the summary";
-}
-
-std::string conclusion_of(const PairReport& pair) {
-  if (!pair.refusal.empty()) return "The two cannot be compared: " + pair.refusal + '.';
+/// What differs, or how near the two are to that.
+std::string what_was_found(const PairReport& pair) {
   std::vector<const QuantityVerdict*> beyond, without;
   const QuantityVerdict* nearest = nullptr;
   bool moved = false;
@@ -94,6 +77,39 @@ std::string conclusion_of(const PairReport& pair) {
   add(count == 1 ? "the only quantity is within its tolerance"
                  : fmt::format("all {} quantities are within their tolerances", count));
   if (nearest) add(fmt::format("nearest to its tolerance is {}, {}", told(*nearest), share_words(*nearest)));
+  return text;
+}
+
+}  // namespace
+
+std::string in_words(std::string_view quantity) {
+  const auto in_short = [](std::string_view meaning) { return std::string(meaning.substr(0, meaning.find_first_of(";:"))); };
+  for (const RowQuantity& known : kDriftQuantities)
+    if (known.measure == quantity) return in_short(known.meaning);
+  for (const RowQuantity& known : torque_quantities())
+    if (known.measure == quantity) return in_short(known.meaning);
+  std::string_view unit;
+  for (const std::string_view ending : {"_rad_s", "_m_s2", "_N_m", "_kg_m2", "_rad", "_deg", "_kg", "_hz", "_1_s", "_s", "_m"})
+    if (unit.empty() && quantity.ends_with(ending)) unit = ending;
+  std::string words(quantity.substr(0, quantity.size() - unit.size()));
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == '_' || words[i] == '.') words[i] = ' ';
+  return words + " of the summary";
+}
+
+std::string conclusion_of(const PairReport& pair) {
+  if (!pair.refusal.empty()) return "The two cannot be compared: " + pair.refusal + '.';
+  std::string text = what_was_found(pair);
+  if (!pair.common_end) return text;
+  const CommonEnd& end = *pair.common_end;
+  text +=
+      " " + sentence(fmt::format("both were compared up to t = {:.10g} s, where the {} ends; the {} goes on to t = {:.10g} s",
+                                 end.t_s, end.reference_goes_on ? "new result" : "reference",
+                                 end.reference_goes_on ? "reference" : "new result", end.longer_t_s));
+  const std::size_t left_out = pair.left_out.size();
+  if (left_out > 0)
+    text += " " + sentence(counted(left_out, "figure does not belong to that time, and is left out",
+                                   "figures do not belong to that time, and are left out"));
   return text;
 }
 

@@ -40,8 +40,9 @@ Json quantity_json(const QuantityVerdict& quantity) {
 }
 
 Json pair_json(const PairReport& pair) {
-  Json findings = Json::array(), quantities = Json::array(), cost = Json::array();
+  Json findings = Json::array(), left_out = Json::array(), quantities = Json::array(), cost = Json::array();
   for (const CompareFinding& finding : pair.findings) findings.push_back({{"kind", finding.kind}, {"text", finding.text}});
+  for (const LeftOut& one : pair.left_out) left_out.push_back({{"name", one.name}, {"why", one.why}});
   for (const QuantityVerdict& quantity : pair.quantities) quantities.push_back(quantity_json(quantity));
   for (const CostRatio& ratio : pair.cost)
     cost.push_back({{"name", ratio.name},
@@ -63,6 +64,8 @@ Json pair_json(const PairReport& pair) {
           {"hints", pair.hints},
           {"rows_compared", pair.rows},
           {"compared_until_s", number_or_null(pair.until_s)},
+          {"common_end_s", pair.common_end ? Json(pair.common_end->t_s) : Json()},
+          {"left_out", std::move(left_out)},
           {"quantities", std::move(quantities)},
           {"cost", std::move(cost)}};
 }

@@ -128,8 +128,18 @@ constexpr double kAnySize = std::numeric_limits<double>::max();  // no limit: th
 
 std::string text_of(const Json& json) { return written_replacing(json); }
 
-QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, const Json& b, const FigureErrors& errors,
-                      const Rule& rule, const Comparand& reference) {
+/// By what a figure is judged.
+struct Measures {
+  const FigureErrors& errors;
+  const Rule& rule;
+  double size_beside = 0;          ///< what a member beside it says of its size; 0 where none does
+  double interpolation_error = 0;  ///< of a figure that was interpolated between rows
+};
+
+QuantityVerdict judge(const std::string& name, const SummaryMember& member, const Json& a, const Json& b, const Measures& by,
+                      const Comparand& reference) {
+  const FigureKind kind = member.kind;
+  const Rule& rule = by.rule;
   const bool always_there = kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude ||
                             kind == FigureKind::drift_spin || kind == FigureKind::attitude || kind == FigureKind::conserved;
   // A run without a row after the release has the verdict `unassessed`, and no numbers.
@@ -149,16 +159,23 @@ QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, c
   const auto x = a.get<double>(), y = b.get<double>();
   const bool folds = is_angle(kind);
   verdict.largest = folds ? std::abs(std::remainder(x - y, 2 * std::numbers::pi)) : std::abs(x - y);
-  verdict.errors = errors.of(kind, name, reference);
+  verdict.errors = by.errors.of(kind, name, reference);
   const double folded = folds ? std::abs(std::remainder(x, 2 * std::numbers::pi)) : std::abs(x);
   const double size = kind == FigureKind::attitude ? 1 : folded;
   const bool is_drift = kind == FigureKind::drift_tilt || kind == FigureKind::drift_azimuth || kind == FigureKind::attitude ||
                         kind == FigureKind::drift_axis || kind == FigureKind::drift_attitude ||
                         kind == FigureKind::drift_spin || kind == FigureKind::drift_tip;
-  const double effect = is_drift ? std::max(folded, errors.effect(kind)) : kAnySize;
+  const double effect = is_drift ? std::max(folded, by.errors.effect(kind)) : kAnySize;
   Tolerance tolerance = tolerance_of(rule, size, effect, verdict.errors.value_or(0));
+  if (const double beside = rule.beside * by.size_beside; beside > tolerance.value)
+    tolerance = {beside, fmt::format("{:g} x {} {:.3g} ({})", rule.beside, member.sized_by, by.size_beside, rule.source)};
   if (rule.times > 0 && !are_of_one_size(x, y, rule.times, 0)) tolerance.value = 0;
   if (rule.times > 0 && tolerance.value > 0) tolerance.value = std::max(tolerance.value, verdict.largest);
+  if (by.interpolation_error > 0) {
+    verdict.interpolation_error = by.interpolation_error;
+    tolerance.value += by.interpolation_error;
+    tolerance.origin += interpolation_words(by.interpolation_error);
+  }
   verdict.tolerance = tolerance.value;
   verdict.origin = tolerance.origin;
   verdict.passed = verdict.largest <= tolerance.value;
@@ -174,40 +191,77 @@ QuantityVerdict judge(const std::string& name, FigureKind kind, const Json& a, c
   return verdict;
 }
 
+/// The error of a figure of the end that is interpolated between the longer run's rows; 0 for others.
+double interpolation_error(const SummaryMember& member, const FigureContext& context) {
+  if (!context.longer || context.longer->interpolation_error.empty() || member.of_row.empty()) return 0;
+  const auto& measures = trajectory_table().measures;
+  const auto quantity = std::find_if(kDriftQuantities.begin(), kDriftQuantities.end(),
+                                     [&](const RowQuantity& q) { return q.is_called(member.of_row); });
+  const auto measure =
+      std::find_if(measures.begin(), measures.end(), [&](const Measure& m) { return m.name == quantity->measure; });
+  return context.longer->interpolation_error[static_cast<std::size_t>(measure - measures.begin())];
+}
+
 }  // namespace
 
-std::vector<QuantityVerdict> compare_figures(const Comparand& reference, const Comparand& candidate,
-                                             const FigureContext& context, const CompareOptions& options) {
-  std::vector<QuantityVerdict> verdicts;
+FiguresComparison compare_figures(const Comparand& reference, const Comparand& candidate, const FigureContext& context,
+                                  const CompareOptions& options) {
+  FiguresComparison found;
   Figures old_figures, new_figures;
   flatten(*reference.summary, "", old_figures);
   flatten(*candidate.summary, "", new_figures);
   const FigureErrors errors(reference, candidate);
   const auto find = [](const Figures& figures, const std::string& path) -> const Json* {
-    const auto found = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == path; });
-    return found == figures.end() ? nullptr : found->second;
+    const auto at = std::find_if(figures.begin(), figures.end(), [&](const auto& figure) { return figure.first == path; });
+    return at == figures.end() ? nullptr : at->second;
+  };
+  /// The size that a member beside a figure states, the smaller one of both; 0 where none does.
+  const auto size_beside = [&](const SummaryMember& member, const std::string& path) {
+    if (member.sized_by.empty()) return 0.0;
+    const std::string beside = path.substr(0, path.rfind('.') + 1) + std::string(member.sized_by);
+    const Json *a = find(old_figures, beside), *b = find(new_figures, beside);
+    return a && b && a->is_number() && b->is_number() ? std::min(std::abs(a->get<double>()), std::abs(b->get<double>())) : 0.0;
+  };
+  const bool bitwise = options.tolerances.profile == Profile::bitwise;
+  /// Whether a figure is left out; where that is so because of unlike lengths, it is told.
+  const auto is_left_out = [&](const SummaryMember& member, const std::string& path) {
+    using enum FigureScope;
+    if (context.longer) {
+      const std::string_view why = why_left_out(member, path, reference, candidate, *context.longer);
+      const auto is_told = [](const Json* figure) { return figure && !figure->is_null(); };
+      if (!why.empty() && (is_told(find(old_figures, path)) || is_told(find(new_figures, path))))
+        found.left_out.push_back({path, why});
+      if (!why.empty()) return true;
+    }
+    if (!bitwise && !context.whole_run && (member.scope == motion || member.scope == rows || member.scope == end)) {
+      const bool is_known = member.scope == end && !member.of_row.empty() && context.end_trusted;
+      if (!is_known) return true;
+    }
+    return (member.scope == rows && !context.same_rows) || (member.scope == motion && !context.both_of_motion);
   };
   for (const auto& [path, value] : old_figures) {
     const SummaryMember* member = compared_member(path);
-    if (!member) continue;
-    const bool end_known = context.whole_run || options.tolerances.profile == Profile::bitwise;
-    if ((member->scope != FigureScope::any && !end_known) || (member->scope == FigureScope::rows && !context.same_rows) ||
-        (member->scope == FigureScope::motion && !context.both_of_motion))
-      continue;
-    const auto rule = rule_of(path, member->kind, options.tolerances, context.same_computation);
-    if (!rule) continue;
+    const auto rule = member ? rule_of(path, member->kind, options.tolerances, context.same_computation) : std::nullopt;
+    if (!rule || is_left_out(*member, path)) continue;
     const Json* now = find(new_figures, path);
-    if (!now)
-      verdicts.push_back(failed(path, "is missing in the new summary"));
+    if (!now) {
+      found.quantities.push_back(failed(path, "is missing in the new summary"));
+      continue;
+    }
+    const double interpolation = interpolation_error(*member, context);
+    QuantityVerdict verdict =
+        judge(path, *member, *value, *now, {errors, *rule, size_beside(*member, path), interpolation}, reference);
+    if (interpolation > 0 && 2 * interpolation > verdict.tolerance)
+      found.left_out.push_back({path, kNoRow});  // interpolation tells less than the tolerance
     else
-      verdicts.push_back(judge(path, member->kind, *value, *now, errors, *rule, reference));
+      found.quantities.push_back(std::move(verdict));
   }
   if (options.tolerances.profile != Profile::physics && !reference.has_some_rows_only)
     for (const auto& [path, value] : new_figures)
       if (const SummaryMember* member = compared_member(path);
-          !value->is_null() && member && !member->of_scenario && !find(old_figures, path))
-        verdicts.push_back(failed(path, "is missing in the reference's summary"));
-  return verdicts;
+          !value->is_null() && member && !member->of_scenario && !find(old_figures, path) && !is_left_out(*member, path))
+        found.quantities.push_back(failed(path, "is missing in the reference's summary"));
+  return found;
 }
 
 }  // namespace earthtop::compare

@@ -10,7 +10,7 @@ namespace {
 
 struct Suite {
   std::string cases;
-  std::size_t tests = 0, failures = 0, errors = 0;
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 
   void add(const std::string& suite, const std::string& name, const std::string& tag, const std::string& message) {
     ++tests;
@@ -19,8 +19,13 @@ struct Suite {
       cases += "/>\n";
       return;
     }
-    ++(tag == "error" ? errors : failures);
+    ++(tag == "error" ? errors : tag == "skipped" ? skipped : failures);
     cases += fmt::format(">\n      <{} message=\"{}\"/>\n    </testcase>\n", tag, escape_xml(message));
+  }
+  /// The counts as attributes.
+  std::string counts() const {
+    return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"{}", tests, failures, errors,
+                       skipped > 0 ? fmt::format(" skipped=\"{}\"", skipped) : "");
   }
 };
 
@@ -45,21 +50,20 @@ std::string comparison_junit(const CompareReport& report) {
     for (const CompareFinding& finding : pair.findings) suite.add(name, finding.kind, "failure", finding.text);
     for (const QuantityVerdict& quantity : pair.quantities)
       suite.add(name, quantity.name, quantity.passed ? "" : "failure", quantity.passed ? "" : failure_of(quantity));
+    for (const LeftOut& one : pair.left_out) suite.add(name, one.name, "skipped", std::string(one.why));
     for (const CostRatio& ratio : pair.cost)
       suite.add(name, "cost: " + ratio.name, ratio.passed() ? "" : "failure",
                 ratio.passed() ? ""
                                : fmt::format("{} where the reference has {}, limit {} times", ratio.candidate, ratio.reference,
                                              *ratio.limit));
-    suites += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}  </testsuite>\n",
-                          escape_xml(name), suite.tests, suite.failures, suite.errors, suite.cases);
+    suites += fmt::format("  <testsuite name=\"{}\" {}>\n{}  </testsuite>\n", escape_xml(name), suite.counts(), suite.cases);
     all.tests += suite.tests;
     all.failures += suite.failures;
     all.errors += suite.errors;
+    all.skipped += suite.skipped;
   }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"earthtop compare\" tests=\"{}\" failures=\"{}\" "
-      "errors=\"{}\">\n{}</testsuites>\n",
-      all.tests, all.failures, all.errors, suites);
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"earthtop compare\" {}>\n{}</testsuites>\n",
+                     all.counts(), suites);
 }
 
 }  // namespace earthtop

@@ -18,8 +18,7 @@ namespace earthtop::compare {
 namespace {
 
 constexpr std::size_t kMostSeen = 200;
-constexpr std::size_t kMostSpans = 1000;    // largest number of spans in a difference's curve
-constexpr double kMostTurnBetweenRows = 1;  // rad: if the body turns by more, rows do not tell the motion between them
+constexpr std::size_t kMostSpans = 1000;  // largest number of spans in a difference's curve
 
 /// Builds a difference's curve: the largest difference in each span of equally many rows. If there are too many spans, every
 /// two are joined.
@@ -116,7 +115,7 @@ class Judge {
     const Tolerance there = tolerance_of(rule_, scale_, effect_, errors);
     verdict_.tolerance = there.value + verdict_.interpolation_error.value_or(0);
     verdict_.origin = there.origin;
-    if (verdict_.interpolation_error) verdict_.origin += fmt::format(" + interpolation {:.2g}", *verdict_.interpolation_error);
+    if (verdict_.interpolation_error) verdict_.origin += interpolation_words(*verdict_.interpolation_error);
     if (verdict_.compared > 0 && largest_errors_ >= 0) verdict_.errors = largest_errors_;
     if (verdict_.at_s) verdict_.where = at_time(*verdict_.at_s);
     if (verdict_.first_violation_s) verdict_.first_violation = at_time(*verdict_.first_violation_s);
@@ -186,7 +185,7 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
 class Comparison {
  public:
   Comparison(const Table& table, const RowsContext& context, const CompareOptions& options)
-      : table_(table), context_(context), options_(options), bounds_(table) {}
+      : table_(table), context_(context), options_(options), bounds_(table), untrusted_(context.trust.doubts.size()) {}
 
   /// Makes one pass over both files. @returns whether it reached the end; false if rows must be interpolated and `known` does
   /// not hold the interpolation's errors
@@ -206,7 +205,8 @@ class Comparison {
   std::vector<Judge> judges_;
   RowsComparison result_;
   double rate_ = 0;
-  std::uint64_t not_finite_times_ = 0, untrusted_ = 0, other_signs_ = 0;
+  std::uint64_t not_finite_times_ = 0, other_signs_ = 0;
+  std::vector<std::uint64_t> untrusted_;  // numbers of rows that were left out, by doubt
 };
 
 void Comparison::choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known) {
@@ -262,10 +262,12 @@ bool same_digits(const Measure& measure, const Row& a, const Row& b) {
 }
 
 void Comparison::judge(const Row& reference, const Row& candidate, bool between) {
-  if (context_.until_s && candidate.t_s > *context_.until_s && options_.tolerances.profile != Profile::bitwise) {
-    ++untrusted_;
-    return;
-  }
+  if (options_.tolerances.profile != Profile::bitwise)
+    for (std::size_t i = 0; i < untrusted_.size(); ++i)
+      if (context_.trust.doubts[i].contains(candidate.t_s)) {
+        ++untrusted_[i];
+        return;
+      }
   ++result_.rows;
   if (result_.seen.size() < kMostSeen && !between) result_.seen.push_back({reference, candidate});
   for (Judge& judge : judges_) {
@@ -360,9 +362,14 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
         fmt::format("{} rows lie between the reference's: they are compared with its cubic Hermite interpolation, whose error "
                     "(for rows twice as far apart) is added to the tolerances",
                     interpolated));
-  if (untrusted_ > 0)
-    result_.notes.push_back(fmt::format("{} rows after t = {} s were not compared, since a verdict does not trust them",
-                                        untrusted_, *context_.until_s));
+  for (std::size_t i = 0; i < untrusted_.size(); ++i) {
+    const Doubted& doubt = context_.trust.doubts[i];
+    if (untrusted_[i] > 0)
+      result_.notes.push_back(fmt::format("{} rows {} were not compared, since a verdict does not trust them", untrusted_[i],
+                                          std::isfinite(doubt.until_s)
+                                              ? fmt::format("between t = {} s and t = {} s", doubt.from_s, doubt.until_s)
+                                              : fmt::format("after t = {} s", doubt.from_s)));
+  }
   if (other_signs_ > 0)
     result_.notes.push_back(fmt::format("{} quaternions have the opposite sign, which is the same attitude", other_signs_));
   if (result_.rows == 0) result_.findings.push_back({"nothing in common", "no row of the new result was compared"});
@@ -394,7 +401,7 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
   for (const bool interpolates : {false, true}) {
     const auto surveyed = open_reference();
     CountedRows surveyed_rows(*surveyed);
-    const Survey known = survey(surveyed_rows, table, interpolates, watch.part(0, kSurvey));
+    const Survey known = survey(surveyed_rows, table, interpolates, watch.part(0, kSurvey), context.end_s);
     require_stated(reference, table, surveyed_rows);
     Comparison comparison(table, context, options);
     const auto reference_rows = open_reference();

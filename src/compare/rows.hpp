@@ -4,6 +4,7 @@
 
 #include "compare/comparand.hpp"
 #include "compare/tolerances.hpp"
+#include "compare/trust.hpp"
 #include "earthtop/compare/compare.hpp"
 
 namespace earthtop::compare {
@@ -26,7 +27,8 @@ struct RowsContext {
   double attitude_errors_rad = 0;  ///< sum of both attitude bounds
   bool attitude_errors_known = false;
   double natural_rate_rad_s = 0;  ///< rate that turns an attitude error into an error of the rates (rad/s)
-  std::optional<double> until_s;  ///< later rows are not judged
+  Trust trust;                    ///< rows that it leaves out are not judged
+  std::optional<double> end_s;    ///< the common end of two runs of unlike lengths
   bool both_runs = false;         ///< whether both are runs, which must have all columns
   bool same_scenario = false;     ///< whether the scenarios agree, so that rows at the same times are expected
   bool same_computation = false;  ///< whether the errors agree, too, so that only rounding should differ

@@ -61,7 +61,7 @@ class LeaveOneOut {
 
 }  // namespace
 
-Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch) {
+Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch, std::optional<double> until_s) {
   Survey found;
   found.largest.assign(table.measures.size(), 0);
   found.interpolation_error.assign(with_interpolation ? table.measures.size() : 0, 0);
@@ -84,6 +84,7 @@ Survey survey(RowSource& rows, const Table& table, bool with_interpolation, cons
     }
     found.last_s = row.t_s;
     if (++found.rows % kTell == 0) tell(watch, rows.share_read());
+    if (until_s && row.t_s > *until_s) continue;
     for (std::size_t i = 0; i < table.measures.size(); ++i)
       if (presence(table.measures[i], row) == Presence::whole)
         found.largest[i] = std::max(found.largest[i], size(table.measures[i], row));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "compare/row_source.hpp"
@@ -23,7 +24,11 @@ struct Survey {
   std::vector<double> interpolation_error;
 };
 
-/// Surveys a reference by reading all its rows. @throws as `RowSource`
-Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch);
+/// Surveys a reference by reading all its rows. @param until_s  sizes and errors are those of the rows until then
+/// @throws as `RowSource`
+Survey survey(RowSource& rows, const Table& table, bool with_interpolation, const Watch& watch,
+              std::optional<double> until_s = std::nullopt);
+
+constexpr double kMostTurnBetweenRows = 1;  ///< rad: if the body turns by more, rows do not tell the motion between them
 
 }  // namespace earthtop::compare

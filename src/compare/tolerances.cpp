@@ -68,9 +68,9 @@ std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
   if (kind == FigureKind::error)
     return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
-  if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
-  if (kind == FigureKind::input) return Rule{0, kRounding, 0, 0, ""};
-  if (kind == FigureKind::derived) return Rule{0, kDerived, 0, 0, ""};
+  const double beside = kind == FigureKind::input ? kRounding : kind == FigureKind::derived ? kDerived : 0;
+  if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, "", 0, beside};
+  if (beside > 0) return Rule{0, beside, 0, 0, "", 0, beside};
   return Rule{kind == FigureKind::attitude ? kRoundingAngle : 0, kind == FigureKind::attitude ? 0 : kRounding, 0, 1, ""};
 }
 
@@ -154,6 +154,8 @@ void decode_rules(const Node& quantities, Findings& findings, Tolerances& tolera
 double fixed_part(const Rule& rule, double scale, double effect) {
   return std::max({rule.absolute, rule.relative * scale, rule.effect * effect});
 }
+
+std::string interpolation_words(double error) { return fmt::format(" + interpolation {:.2g}", error); }
 
 double largest_for_bounds(double scale, double effect) {
   if (effect > 0) return effect;

@@ -18,6 +18,7 @@ struct Rule {
   double absolute = 0, relative = 0, effect = 0, bounds = 0;
   std::string source;  ///< "profile regression", or the file
   double times = 0;    ///< if above 0, the only limit: the largest ratio of the two values, either way
+  double beside = 0;   ///< x the size that a figure beside it states, as a lower limit: a value of zero has no size of its own
 };
 
 /// Whether two errors are of the same size: neither is more than `times` the other, or both are small beside `largest`.
@@ -28,6 +29,9 @@ struct Tolerance {
   double value = 0;
   std::string origin;
 };
+
+/// What an interpolation adds to a tolerance, in words.
+std::string interpolation_words(double error);
 
 /// The part of a tolerance that does not change from row to row: the largest of absolute, relative and effect.
 double fixed_part(const Rule& rule, double scale, double effect);

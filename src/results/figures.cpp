@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "budget/effects.hpp"
+#include "drift/row_quantities.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
@@ -89,7 +90,7 @@ constexpr auto kFirstMembers = [] {
       told("title", kAtEnd, kLabel, [](R r) { return r.scene.scenario().title; }),
       object("outcome"),
       compared("outcome.status", outcome, any, kAtEnd, [](R r) { return to_string(r.status); }),
-      compared("outcome.reached_s", input, any, kAtEnd, [](R r) { return r.reached_s; }),
+      compared("outcome.reached_s", input, span, kAtEnd, [](R r) { return r.reached_s; }),
       told("outcome.rows", kFromRows, kRowCount, [](R r) { return r.rows.size(); }),
       object("matching_rule"),
       told("matching_rule.rates_relative_to", kAtEnd, kOfScenario,
@@ -104,16 +105,21 @@ constexpr auto kDriftMembers = [] {
   using MemberForm::document, MemberForm::vector;
   return std::array{
       of_rows(object("drift")),
-      compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; }),
+      of_last_row("drift_axis_rad",
+                  compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; })),
       compared("drift.axis_max_rad", drift_axis, motion, kFromRows, [](R r) { return r.drift.axis_max_rad; }),
       told("drift.axis_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return r.drift.axis_max_at_s; }),
       told("drift.axis_max_bound_rad", kFromRows, kIsBounded, [](R r) { return r.drift.axis_max_bound_rad; }),
       compared("drift.axis_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.axis_bound_rad; }),
-      compared("drift.attitude_final_rad", drift_attitude, end, kAtEnd, [](R r) { return r.drift.attitude_final_rad; }),
+      of_last_row("drift_attitude_rad", compared("drift.attitude_final_rad", drift_attitude, end, kAtEnd,
+                                                 [](R r) { return r.drift.attitude_final_rad; })),
       compared("drift.attitude_bound_rad", error, rows, kAtEnd, [](R r) { return r.drift.attitude_bound_rad; }),
-      compared("drift.spin_final_rad", drift_spin, end, kAtEnd, [](R r) { return r.drift.spin_final_rad; }),
-      compared("drift.azimuth_final_rad", drift_azimuth, end, kAtEnd, [](R r) { return r.drift.azimuth_final_rad; }),
-      compared("drift.tilt_final_rad", drift_tilt, end, kAtEnd, [](R r) { return r.drift.tilt_final_rad; }),
+      of_last_row("drift_spin_rad",
+                  compared("drift.spin_final_rad", drift_spin, end, kAtEnd, [](R r) { return r.drift.spin_final_rad; })),
+      of_last_row("drift_azimuth_rad", compared("drift.azimuth_final_rad", drift_azimuth, end, kAtEnd,
+                                                [](R r) { return r.drift.azimuth_final_rad; })),
+      of_last_row("drift_tilt_rad",
+                  compared("drift.tilt_final_rad", drift_tilt, end, kAtEnd, [](R r) { return r.drift.tilt_final_rad; })),
       compared("drift.azimuth_max_rad", drift_azimuth, motion, kFromRows, [](R r) { return r.drift.azimuth_max_rad; }),
       told("drift.azimuth_max_at_s", kFromRows, kTimeOfLargest,
            [](R r) { return if_there(r.drift.azimuth_max_rad, r.drift.azimuth_max_at_s); }),
@@ -122,17 +128,20 @@ constexpr auto kDriftMembers = [] {
       compared("drift.tilt_max_rad", drift_tilt, motion, kFromRows, [](R r) { return r.drift.tilt_max_rad; }),
       told("drift.tilt_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return r.drift.tilt_max_at_s; }),
       told("drift.tilt_max_bound_rad", kFromRows, kIsBounded, [](R r) { return r.drift.tilt_max_bound_rad; }),
-      compared("drift.tip_final_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_final_m); }),
-      compared("drift.tip_final_x_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 0)); }),
-      compared("drift.tip_final_y_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 1)); }),
+      of_last_row("drift_tip_m", compared("drift.tip_final_m", drift_tip, end, kAtEnd,
+                                          [](R r) { return of_contact(r, r.drift.tip_final_m); })),
+      of_last_row("drift_tip_x_m",
+                  compared("drift.tip_final_x_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 0)); })),
+      of_last_row("drift_tip_y_m",
+                  compared("drift.tip_final_y_m", drift_tip, end, kAtEnd, [](R r) { return of_contact(r, tip_final(r, 1)); })),
       compared("drift.tip_max_m", drift_tip, motion, kFromRows, [](R r) { return of_contact(r, r.drift.tip_max_m); }),
       told("drift.tip_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return of_contact(r, r.drift.tip_max_at_s); }),
       told("drift.tip_max_bound_m", kFromRows, kIsBounded, [](R r) { return of_contact(r, r.drift.tip_max_bound_m); }),
       compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
                [](R r) { return r.drift.axis_final_over_earth_angle; }),
-      compared("drift.verdict", outcome, any, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
-      compared("drift.verdict_from_s", error, any, kFromRows, [](R r) { return r.verdict.from_s; }),
+      compared("drift.verdict", outcome, span, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
+      compared("drift.verdict_from_s", error, span, kFromRows, [](R r) { return r.verdict.from_s; }),
       told("drift.verdict_reason", kFromRows, kWords, [](R r) { return r.verdict.reason; }),
       // The times in which the drift is not to be trusted; none where all of it is.
       list("drift.verdict_intervals", [](R r) { return r.verdict.intervals.size(); }),
@@ -141,7 +150,7 @@ constexpr auto kDriftMembers = [] {
       told("drift.verdict_intervals.*.why", kFromRows, kWords, [](R r, I i) { return doubt(r, i).name; }),
       told("drift.verdict_intervals.*.text", kFromRows, kWords, [](R r, I i) { return doubt(r, i).words; }),
       object("drift.reliable"),
-      compared("drift.reliable.until_s", error, any, kFromRows, [](R r) { return r.verdict.reliable_until_s; }),
+      compared("drift.reliable.until_s", error, span, kFromRows, [](R r) { return r.verdict.reliable_until_s; }),
       told("drift.reliable.at_s", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::t_s); }),
       told("drift.reliable.axis_rad", kFromRows, kIsRow, [](R r) { return reliable(r, &DriftRow::drift_axis_rad); }),
       told("drift.reliable.axis_bound_rad", kFromRows, kIsRow,
@@ -150,11 +159,11 @@ constexpr auto kDriftMembers = [] {
       told("drift.reliable.attitude_bound_rad", kFromRows, kIsRow,
            [](R r) { return reliable(r, &DriftRow::drift_attitude_bound_rad); }),
       object_or_null("drift.secular", [](R r) { return r.drift.secular.has_value(); }),
-      compared("drift.secular.azimuth_rate_rad_s", azimuth_rate, any, kFromRows,
+      compared("drift.secular.azimuth_rate_rad_s", azimuth_rate, span, kFromRows,
                [](R r) { return r.drift.secular->azimuth_rate_rad_s; }),
-      compared("drift.secular.azimuth_rate_bound_95_rad_s", error, any, kFromRows,
+      compared("drift.secular.azimuth_rate_bound_95_rad_s", error, span, kFromRows,
                [](R r) { return r.drift.secular->azimuth_rate_bound_95_rad_s; }),
-      compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, any, kFromRows,
+      compared("drift.secular.mean_precession_rate_change_rad_s", azimuth_rate, span, kFromRows,
                [](R r) { return mean_precession_rate_change(*r.drift.secular); }),
       compared("drift.secular.turns_seen", derived, motion, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
       told(
@@ -173,10 +182,15 @@ constexpr auto kDriftMembers = [] {
           [](R r) { return if_there(r.drift.secular->azimuth_oscillation_rad, r.drift.secular->azimuth_oscillation_at_s); },
           document),
       compared("drift.threshold_rad", input, any, kFromRows, [](R r) { return r.scene.scenario().threshold_rad; }),
-      compared("drift.threshold_time_s", threshold_time, any, kAtEnd, [](R r) { return r.drift.threshold_time_s; }),
-      compared("drift.threshold_time_bound_s", error, any, kAtEnd, [](R r) { return r.drift.threshold_time_bound_s; }),
-      compared("drift.threshold_crossing", word, any, kAtEnd,
-               [](R r) { return r.drift.threshold_crossing ? Json(to_string(*r.drift.threshold_crossing)) : Json(); }),
+      of_event(
+          compared("drift.threshold_time_s", threshold_time, at_event, kAtEnd, [](R r) { return r.drift.threshold_time_s; }),
+          "threshold_time_s", "threshold_time_bound_s"),
+      of_event(
+          compared("drift.threshold_time_bound_s", error, at_event, kAtEnd, [](R r) { return r.drift.threshold_time_bound_s; }),
+          "threshold_time_s", "threshold_time_bound_s"),
+      of_event(compared("drift.threshold_crossing", word, at_event, kAtEnd,
+                        [](R r) { return r.drift.threshold_crossing ? Json(to_string(*r.drift.threshold_crossing)) : Json(); }),
+               "threshold_time_s", "threshold_time_bound_s"),
       object_or_nothing("drift.digits", [](R r) { return drift_digits(r).has_value(); }),
       told("drift.digits.axis_final_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->axis_final_rad; }),
       told("drift.digits.axis_max_rad", kFromRows, kDigits, [](R r) { return drift_digits(r)->axis_max_rad; }),
@@ -185,25 +199,29 @@ constexpr auto kDriftMembers = [] {
 
       // Body axis 3 in the laboratory (East, North, Up).
       of_rows(object_or_null("motion", [](R r) { return !r.rows.empty(); })),
-      compared(
-          "motion.axis_final_L", attitude, end, kAtEnd, [](R r) { return r.rows.back().axis_L; }, vector),
-      compared(
-          "motion.reference_axis_final_L", attitude, end, kAtEnd, [](R r) { return r.rows.back().ref_axis_L; }, vector),
+      of_last_row("axis_L",
+                  compared(
+                      "motion.axis_final_L", attitude, end, kAtEnd, [](R r) { return r.rows.back().axis_L; }, vector)),
+      of_last_row("ref_axis_L", compared(
+                                    "motion.reference_axis_final_L", attitude, end, kAtEnd,
+                                    [](R r) { return r.rows.back().ref_axis_L; }, vector)),
       compared(
           "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::axis_L); }, vector),
       compared(
           "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::ref_axis_L); },
           vector),
       of_rows(object("growth_of_disturbances")),
-      compared("growth_of_disturbances.lyapunov_exponent_1_s", time, any, kAtEnd,
+      compared("growth_of_disturbances.lyapunov_exponent_1_s", time, span, kAtEnd,
                [](R r) { return r.verdict.lyapunov_exponent_1_s; }),
-      compared("growth_of_disturbances.round_off_grown_s", error, any, kAtEnd, [](R r) { return r.verdict.round_off_grown_s; }),
-      compared("growth_of_disturbances.earth_grown_s", time, any, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
+      compared("growth_of_disturbances.round_off_grown_s", error, span, kAtEnd,
+               [](R r) { return r.verdict.round_off_grown_s; }),
+      compared("growth_of_disturbances.earth_grown_s", time, span, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
       // The times at which dry friction brought a motion to rest.
       list("stops", [](R r) { return r.stops.size(); }),
-      compared("stops.*.prediction", word, any, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); }),
-      compared("stops.*.t_s", time, any, kFromRows, [](R r, I i) { return r.stops[i].t_s; }),
-      compared("stops.*.bound_s", error, any, kFromRows, [](R r, I i) { return r.stops[i].bound_s; }),
+      of_event(
+          compared("stops.*.prediction", word, at_event, kFromRows, [](R r, I i) { return to_word(r.stops[i].prediction); })),
+      of_event(compared("stops.*.t_s", time, at_event, kFromRows, [](R r, I i) { return r.stops[i].t_s; })),
+      of_event(compared("stops.*.bound_s", error, at_event, kFromRows, [](R r, I i) { return r.stops[i].bound_s; })),
   };
 }();
 
@@ -249,7 +267,8 @@ constexpr auto kSolutionMembers = [] {
       list("invariants", [](R r) { return r.invariants.size(); }),
       told("invariants.*.name", kFromRows, kLabel, [](R r, I i) { return r.invariants[i].name; }),
       told("invariants.*.unit", kFromRows, kLabel, [](R r, I i) { return r.invariants[i].unit; }),
-      compared("invariants.*.initial", input, any, kFromRows, [](R r, I i) { return r.invariants[i].initial; }),
+      sized_by("scale",
+               compared("invariants.*.initial", input, any, kFromRows, [](R r, I i) { return r.invariants[i].initial; })),
       compared("invariants.*.largest_change", conserved, rows, kFromRows,
                [](R r, I i) { return r.invariants[i].largest_change; }),
       compared("invariants.*.scale", derived, rows, kFromRows, [](R r, I i) { return r.invariants[i].scale; }),
@@ -257,11 +276,13 @@ constexpr auto kSolutionMembers = [] {
       told("theory.*.name", kFromRows, kLabel, [](R r, I i) { return r.theory[i].name; }),
       told("theory.*.statement", kFromRows, kLabel, [](R r, I i) { return r.theory[i].statement; }),
       told("theory.*.unit", kFromRows, kLabel, [](R r, I i) { return r.theory[i].unit; }),
-      compared("theory.*.predicted", derived, any, kFromRows, [](R r, I i) { return r.theory[i].predicted; }),
-      compared("theory.*.predicted_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].predicted_error; }),
+      sized_by("predicted_error",
+               compared("theory.*.predicted", derived, span, kFromRows, [](R r, I i) { return r.theory[i].predicted; })),
+      compared("theory.*.predicted_error", error, span, kFromRows, [](R r, I i) { return r.theory[i].predicted_error; }),
       told("theory.*.applies", kFromRows, kWords, [](R r, I i) { return r.theory[i].applies; }),
-      compared("theory.*.computed", derived, motion, kFromRows, [](R r, I i) { return r.theory[i].computed; }),
-      compared("theory.*.computed_error", error, any, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
+      sized_by("computed_error",
+               compared("theory.*.computed", derived, motion, kFromRows, [](R r, I i) { return r.theory[i].computed; })),
+      compared("theory.*.computed_error", error, span, kFromRows, [](R r, I i) { return r.theory[i].computed_error; }),
       // Why the drift is what it is, in sentences; left out where theory has none to say.
       list(
           "why", [](R r) { return r.why.empty() ? std::nullopt : std::optional(r.why.size()); }, true),
@@ -300,11 +321,11 @@ constexpr auto kLastMembers = [] {
           "selection.switched_on", kAtEnd, kSelected, [](R r) { return r.selection->switched_on; }, words),
       told(
           "selection.left_out", kAtEnd, kSelected, [](R r) { return r.selection->left_out; }, words),
-      compared("selection.left_out_drift_rad", derived, any, kAtEnd, [](R r) { return r.selection->left_out_drift_rad; }),
+      compared("selection.left_out_drift_rad", derived, span, kAtEnd, [](R r) { return r.selection->left_out_drift_rad; }),
       object_or_nothing("accuracy", [](R r) { return r.accuracy.has_value(); }),
       compared("accuracy.asked_rad", input, any, kAtEnd, [](R r) { return r.accuracy->asked_rad; }),
-      compared("accuracy.reached_rad", error, any, kAtEnd, [](R r) { return r.accuracy->reached_rad; }),
-      compared("accuracy.reached", word, any, kAtEnd, [](R r) { return r.accuracy->reached(); }),
+      compared("accuracy.reached_rad", error, span, kAtEnd, [](R r) { return r.accuracy->reached_rad; }),
+      compared("accuracy.reached", word, span, kAtEnd, [](R r) { return r.accuracy->reached(); }),
       told("accuracy.attempts", kAtEnd, kEffort, [](R r) { return r.accuracy->attempts; }),
       told(
           "notes", kFromRows, kWords, [](R r) { return r.notes; }, words),
@@ -337,6 +358,19 @@ constexpr bool each_is_compared_or_says_why_not() {
   return true;
 }
 static_assert(each_is_compared_or_says_why_not(), "a figure is compared, or says why it is not");
+
+constexpr bool scopes_are_whole() {
+  for (const SummaryMember& member : kMembers) {
+    if ((member.scope == FigureScope::at_event) != !member.event_time.empty()) return false;
+    if (member.of_row.empty()) continue;
+    if (member.scope != FigureScope::end) return false;
+    if (std::none_of(kDriftQuantities.begin(), kDriftQuantities.end(),
+                     [&](const RowQuantity& quantity) { return quantity.is_called(member.of_row); }))
+      return false;
+  }
+  return true;
+}
+static_assert(scopes_are_whole(), "a figure of the end names a quantity of the rows, a figure of an event the event's time");
 
 /// Whether a path is a member's, in which a star stands for the number of an element.
 constexpr bool is_of(std::string_view member, std::string_view path) {

@@ -39,10 +39,14 @@ enum class FigureKind {
   event_time       ///< time of an event of the contact, which has a bound of its own
 };
 
-/// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it.
+/// The part of a run on which a figure depends besides the motion. The figure is compared only if both runs agree in it. The same
+/// decides what two runs of unlike lengths have in common: `any` is the same in both, `end` is compared at the earlier end, from
+/// the rows, `at_event` up to that end, and the rest is left out.
 enum class FigureScope {
-  any,  ///< it depends on nothing else
-  end,  ///< it depends on the end of the run, and on the motion that led there
+  any,       ///< it depends on nothing else: it follows from the scenario or the release
+  end,       ///< it depends on the end of the run, and on the motion that led there
+  at_event,  ///< it belongs to an event, at a time of its own
+  span,      ///< it is told of the whole run, such as a fit, a growth or a verdict
   /// It comes from the motion between release and end, such as a largest value. A result that does not say when its largest drift is
   /// reached has taken it from its rows.
   motion,
@@ -82,6 +86,11 @@ struct SummaryMember {
   /// Whether the figure follows from the scenario alone, so that a summary that was written before there was such a figure needs
   /// none.
   bool of_scenario = false;
+  std::string_view of_row = "";  ///< of a figure of the end: the quantity of the last row that it is; empty where it is none
+  /// Of an event's figure: the members beside it with the time of the event and the bound on that.
+  std::string_view event_time = "", event_bound = "";
+  /// The member beside it that states its error or the size of what it is made of. A value of zero has no size of its own.
+  std::string_view sized_by = "";
 };
 
 /// All members in the document's order; an object or a list comes right before what is in it.

@@ -110,6 +110,24 @@ constexpr SummaryMember of_scenario(SummaryMember member) {
   return member;
 }
 
+/// Entry of a figure of the end that is a quantity of the last row. @param quantity  the whole quantity's name, as in its columns
+constexpr SummaryMember of_last_row(std::string_view quantity, SummaryMember member) {
+  member.of_row = quantity;
+  return member;
+}
+
+/// Entry of a figure of an event. @param time, bound  the members beside it that tell when the event is
+constexpr SummaryMember of_event(SummaryMember member, std::string_view time = "t_s", std::string_view bound = "bound_s") {
+  member.event_time = time, member.event_bound = bound;
+  return member;
+}
+
+/// Entry of a figure that may be zero. @param beside  the member beside it that tells how large what it is made of is
+constexpr SummaryMember sized_by(std::string_view beside, SummaryMember member) {
+  member.sized_by = beside;
+  return member;
+}
+
 /// Ends of the sentence "It is not compared because ...".
 inline constexpr std::string_view kLabel = "it only names what is next to it",
                                   kOfScenario = "it repeats the scenario, whose keys are compared",

@@ -101,6 +101,18 @@ struct CostRatio {
   bool passed() const { return !limit || candidate <= *limit * reference; }
 };
 
+/// The end that two runs of unlike lengths have in common: that of the shorter one.
+struct CommonEnd {
+  double t_s = 0, longer_t_s = 0;  ///< the ends of the shorter and of the longer run
+  bool reference_goes_on = false;  ///< whether the reference is the longer one
+};
+
+/// A figure that was not compared, because it has no common meaning for runs of unlike lengths.
+struct LeftOut {
+  std::string name;
+  std::string_view why;
+};
+
 /// The comparison of one result with its reference.
 struct PairReport {
   std::string name;  ///< in a directory of several results: the path below it
@@ -111,6 +123,9 @@ struct PairReport {
   std::vector<std::string> hints;  ///< guesses at the cause of a large difference
   std::uint64_t rows = 0;          ///< number of rows compared
   std::optional<double> until_s;   ///< later rows were not compared, because a result's verdict does not trust them
+  std::optional<CommonEnd>
+      common_end;  ///< where runs of unlike lengths, which was allowed, were compared up to the shorter's end
+  std::vector<LeftOut> left_out;
   std::vector<QuantityVerdict> quantities;
   std::vector<CostRatio> cost;
   bool passed() const;
