@@ -46,6 +46,26 @@ on_stdout 'other scenario: /numerics/relative_tolerance'
 grep -q 'has no error bounds' out.txt && fault "a key that differs is taken for a number without bounds"
 says 'is within.*; what else differs is named below\.'
 
+# Runs of unlike lengths, where that is allowed, are compared up to the end of the shorter one, whichever that is.
+for pair in "runs/toy-top short" "short runs/toy-top"; do
+  expect 0 compare $pair --allow-change /motion --allow-missing --junit lengths.xml
+  says 'Both were compared up to t = 2 s, where the .* ends; the .* goes on to t = 60 s\. [0-9]* figures do not belong to that time, and are left out\.'
+  grep -q '<skipped message="a figure of a whole run has no common meaning for runs of unlike lengths"/>' lengths.xml || fault "no word in lengths.xml"
+  expect 0 compare $pair --allow-change /motion --allow-missing --all
+  says 'note: not compared: outcome.reached_s, .*: a figure of a whole run has no common meaning for runs of unlike lengths'
+  says 'ok drift.axis_final_rad '
+  expect 0 compare $pair --allow-change /motion --allow-missing --json
+  on_stdout '"common_end_s": 2.0'
+  cp out.txt lengths.json
+  expect 0 report lengths.json
+  grep -q 'Both were compared up to t = 2 s' lengths.html || fault "the page does not say up to when"
+  grep -q 'a figure of a whole run has no common meaning' lengths.html || fault "the page does not say what is left out"
+  expect 1 compare $pair --allow-missing
+  on_stdout 'FAILED  outcome.reached_s'
+done
+expect 1 compare runs/toy-top short --allow-change /motion
+on_stdout 'FAILED  missing rows'
+
 # Exit statuses and what is written.
 expect 0 compare runs/toy-top runs/toy-top
 on_stdout '^All [0-9]* quantities agree to the last bit.$'

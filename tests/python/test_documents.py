@@ -99,6 +99,18 @@ def test_what_a_comparison_tells(results):
         "quantities": {name: {"absolute": 1} for name in quantities.index[~quantities["passed"]]}}).passed
 
 
+def test_runs_of_unlike_lengths_are_compared_up_to_their_common_end():
+    top = et.example("toy-top")
+    brief, longer = (et.run(top.changed(duration_s=t)) for t in (1, 2))
+    for pair in ((brief, longer), (longer, brief)):
+        compared = et.compare(*pair, may_change="/motion", may_lack_rows=True)
+        assert compared and compared.document["pairs"][0]["common_end_s"] == 1
+        assert "compared up to t = 1 s, the end of the shorter run" in compared._repr_html_()
+        assert compared.left_out["drift.axis_max_rad"].startswith("a figure of a whole run")
+        assert "drift.axis_final_rad" in set(compared.quantities["name"])
+    assert et.compare(brief, brief).left_out == {} and not et.compare(brief, longer)
+
+
 def test_pickled_results_compare_the_same(results):
     again = pickle.loads(pickle.dumps(results[0]))
     assert et.compare(results[0], again, profile="bitwise").passed

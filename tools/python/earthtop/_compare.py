@@ -56,6 +56,15 @@ class Comparison(Document):
         rows = [{**one, "pair": pair["name"] or ""} for pair in self.document["pairs"] for one in pair["quantities"]]
         return table(rows, words, numbers, order=[*words[:3], *numbers[:4], *words[3:8], *numbers[4:], *words[8:]])
 
+    @property
+    def left_out(self) -> Dict[str, str]:
+        """The figures that runs of unlike lengths do not have in common, each with the reason.
+
+        Where ``may_change`` allows another duration, two runs are compared up to the end of the shorter one
+        (``document["pairs"][0]["common_end_s"]``).
+        """
+        return {one["name"]: one["why"] for pair in self.document["pairs"] for one in pair["left_out"]}
+
     def _headline(self) -> str:
         return f"{self.verdict}: {self.document['new']} against {self.document['reference']}"
 
@@ -68,6 +77,8 @@ class Comparison(Document):
             lines += [f"{name}{one['kind']}: {one['text']}" for one in pair["findings"]]
             lines += [f"{name}{_sentence(one)}" for one in pair["quantities"] if not one["passed"]]
             lines += [f"{name}perhaps {hint}" for hint in pair["hints"]]
+            if pair["common_end_s"] is not None:
+                lines.append(f"{name}compared up to t = {_short(pair['common_end_s'])} s, the end of the shorter run")
         most = 20
         return lines if len(lines) <= most else [*lines[:most], f"and {len(lines) - most} more"]
 
