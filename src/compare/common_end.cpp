@@ -12,6 +12,7 @@
 #include "compare/pairing.hpp"
 #include "compare/scenario_changes.hpp"
 #include "compare/survey.hpp"
+#include "compare/tell.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -36,17 +37,34 @@ class OneTime : public RowSource {
   bool read_ = false;
 };
 
+/// The rows of another source, for as long as the watch does not ask to stop.
+class WatchedRows : public RowSource {
+ public:
+  WatchedRows(RowSource& rows, const Watch& watch) : rows_(rows), watch_(watch) {}
+  bool next(Row& row) override {
+    if (watch_.asks_to_stop()) throw Interrupted();
+    return rows_.next(row);
+  }
+  bool has_column(std::size_t column) const override { return rows_.has_column(column); }
+  std::string where() const override { return rows_.where(); }
+
+ private:
+  RowSource& rows_;
+  const Watch& watch_;
+};
+
 /// Finds the longer run's row at the common end, from its rows about it if there is none.
-void find_row(const Comparand& comparand, const Survey& known, LongerRun& longer) {
+void find_row(const Comparand& comparand, const Survey& known, const Watch& watch, LongerRun& longer) {
   const double t_s = longer.end.t_s;
   const auto rows = comparand.open_rows();
+  WatchedRows watched(*rows, watch);
   OneTime common(t_s);
-  Pairing pairing(*rows, common, known, comparand.has_some_rows_only);
+  Pairing pairing(watched, common, known, comparand.has_some_rows_only);
   const PairedRow paired = pairing.next();
   if (paired.kind == PairKind::same_time) longer.row = *paired.reference[1];
   if (paired.kind != PairKind::between) return;
   const auto surveyed = comparand.open_rows();
-  const Survey errors = survey(*surveyed, trajectory_table(), true, {}, t_s);
+  const Survey errors = survey(*surveyed, trajectory_table(), true, watch, t_s);
   if (errors.largest_rate_rad_s * errors.largest_step_s > kMostTurnBetweenRows) return;
   longer.row = interpolate(paired.reference, t_s);
   longer.interpolation_error = errors.interpolation_error;
@@ -107,8 +125,9 @@ std::optional<LongerRun> find_common_end(const Comparand& reference, const Compa
   longer.end = {std::min(*before, *now), std::max(*before, *now), *before > *now};
   longer.comparand = longer.end.reference_goes_on ? reference : candidate;
   const auto rows = longer.comparand.open_rows();
-  const Survey known = survey(*rows, trajectory_table(), false, {}, longer.end.t_s);
-  find_row(longer.comparand, known, longer);
+  const Watch watch = options.watch.part(0, 0);
+  const Survey known = survey(*rows, trajectory_table(), false, watch, longer.end.t_s);
+  find_row(longer.comparand, known, watch, longer);
   tell_common_end(longer.end.reference_goes_on ? candidate : reference, known, longer);
   return longer;
 }

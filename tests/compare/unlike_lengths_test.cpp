@@ -2,6 +2,7 @@
 /// Two runs of one scenario that end at different times are compared in what both have: all of it lies before the earlier end.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <map>
 #include <set>
 
@@ -314,6 +315,15 @@ TEST(UnlikeLengths, EveryKindOfRunAgreesWithItsBeginning) {
       EXPECT_TRUE(names(pair, false).contains("top.mass_kg")) << one.scenario;
     }
   }
+}
+
+TEST(UnlikeLengths, AWatchMayStopTheSearchForTheEnd) {
+  Lengths top("toy-top");
+  const fs::path brief = top.lasting("2", "0.1"), longer = top.lasting("5", "0.1");
+  CompareOptions options = of_other_length();
+  const std::atomic<bool> stop = true;
+  options.watch = Watch(&stop);
+  EXPECT_THROW(compare_results(brief, longer, options), Interrupted);
 }
 
 TEST(UnlikeLengths, TheDocumentsSayWhatWasLeftOut) {
