@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Predictions of first-order theory, each with the size of what it leaves out.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +14,7 @@
 #include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "run/assessment.hpp"
+#include "run/earth_symbols.hpp"
 
 namespace earthtop {
 namespace {
@@ -265,7 +268,7 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
     for (const DriftRow& row : rows) lean_south -= (row.axis_L[1] - row.ref_axis_L[1]) / static_cast<double>(rows.size());
     const FirstOrder<double> lean = mean_lean(top, rows);
     report.name = "sleeping_top_lean_south";
-    report.statement = "mean lean I3 w3 Omega cos(latitude) / (m g l)";
+    report.statement = fmt::format("mean lean I3 w3 {} / (m g l)", northward_rate(scene.site(), "Omega"));
     report.unit = "rad";
     report.predicted = lean.value;
     report.predicted_error = lean.left_out;
@@ -280,7 +283,8 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
   if (!change) return {};
   report.name = "precession_rate_change";
   report.statement =
-      "-Omega sin(latitude), counterclockwise about Up, and the precession's dependence on the mean energy and momenta";
+      fmt::format("-{}, counterclockwise about Up, and the precession's dependence on the mean energy and momenta",
+                  vertical_rate(scene.site(), "Omega"));
   report.unit = "rad/s";
   report.predicted = change->value;
   report.predicted_error = change->left_out;

@@ -19,14 +19,10 @@ namespace earthtop {
 namespace why {
 namespace {
 
-/// The largest Coriolis torque on the spin, I3 s |n x W| with the spin s relative to the laboratory, beside gravity's.
+/// The largest Coriolis torque beside gravity's largest.
 void tell_coriolis_torque(Told& told) {
-  double coriolis = 0, gravity = 0;
-  for (const DriftRow& row : told.result.looks) {
-    const Vec3<double> n_L = vector(row.axis_L);
-    coriolis = std::max(coriolis, std::abs(told.I3 * row.w_LB_B[2]) * norm(Vec3<double>(n_L.cross(told.W_L))));
-    gravity = std::max(gravity, std::abs(told.mgl) * real::hypot(n_L[0], n_L[1]));
-  }
+  const double coriolis = largest_length(told.result, [&](const DriftRow& look) { return torques_at(told, look).tau_cor_A; });
+  const double gravity = largest_length(told.result, [&](const DriftRow& look) { return torques_at(told, look).tau_phys_A; });
   told.add("coriolis_torque",
            fmt::format("To an observer in the laboratory, a Coriolis torque acts on the spinning top, {:.3g} N m at most: "
                        "{:.2g} times gravity's {:.3g} N m.",
@@ -41,9 +37,9 @@ void tell_laboratory_turns(Told& told, double p) {
   const double up = told.W_L[2], faster = p > 0 ? -up : up;
   if (std::abs(up) <= kNone * told.Omega()) return;
   told.add("laboratory_turns",
-           fmt::format("The laboratory turns about its vertical at Ω sin(latitude), {:.5g} rad/s {} seen from above; the "
+           fmt::format("The laboratory turns about its vertical at {}, {:.5g} rad/s {} seen from above; the "
                        "precession, {:.5g} rad/s {}, therefore looks {} from the laboratory by as much.",
-                       std::abs(up), sense(up), std::abs(p), sense(p), pace(faster)),
+                       told.vertical_rate(), std::abs(up), sense(up), std::abs(p), sense(p), pace(faster)),
            {{"laboratory_rate_rad_s", up}, {"precession_rad_s", p}, {"faster_by_rad_s", faster}});
 }
 
@@ -91,9 +87,9 @@ void tell_cone_leans(Told& told, double p) {
       std::abs(*seen - lean.south_rad) > lean.left_out_rad + kRows * size)
     return;
   told.add("cone_leans",
-           fmt::format("The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s; the cone on which the axis "
+           fmt::format("The laboratory turns about North at {}, {:.5g} rad/s; the cone on which the axis "
                        "precesses therefore leans by {} to the {}.",
-                       std::abs(north), angle_text(size, 2), lean.south_rad > 0 ? "South" : "North"),
+                       told.northward_rate(), std::abs(north), angle_text(size, 2), lean.south_rad > 0 ? "South" : "North"),
            {{"laboratory_rate_north_rad_s", north},
             {"lean_south_rad", lean.south_rad},
             {"lean_left_out_rad", lean.left_out_rad},

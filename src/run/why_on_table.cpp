@@ -47,9 +47,9 @@ std::string length_text(double metre, int digits) {
 void tell_coriolis_torque(Told& told, double spin) {
   const double torque = std::abs(told.I3 * spin * told.W_L[1]);
   told.add("coriolis_torque",
-           fmt::format("The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and turns the spin with it: to an "
+           fmt::format("The laboratory turns about North at {}, {:.5g} rad/s, and turns the spin with it: to an "
                        "observer in it, a Coriolis torque of {:.3g} N m acts on the body that spins upright.",
-                       std::abs(told.W_L[1]), torque),
+                       told.northward_rate(), std::abs(told.W_L[1]), torque),
            {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", torque}});
 }
 
@@ -64,11 +64,13 @@ void tell_ball(Told& told, double spin, double radius) {
   if (!(left_out <= kMostLeftOut * std::abs(predicted)) || !(std::abs(seen - predicted) <= left_out)) return;
   tell_earth_turns(told);
   tell_coriolis_torque(told, spin);
-  told.add("ball_rolls",
-           fmt::format("The table holds the point of contact, so that this torque makes the ball roll to the {}, with the "
-                       "acceleration I/(I + m r²) r ω Ω cos(latitude) = {:.4g} m/s², where I/(I + m r²) = {:.4g}.",
-                       predicted > 0 ? "North" : "South", std::abs(acceleration), share),
-           {{"acceleration_north_m_s2", acceleration}, {"share", share}});
+  told.add(
+      "ball_rolls",
+      fmt::format("The table holds the point of contact, so that this torque makes the ball roll to the {}, with the "
+                  "acceleration I/(I + m r²) r {} = {:.4g} m/s², where I/(I + m r²) = {:.4g}.",
+                  predicted > 0 ? "North" : "South", size_of("ω " + northward_rate(told.scene.site(), "Ω"), spin * told.W_L[1]),
+                  std::abs(acceleration), share),
+      {{"acceleration_north_m_s2", acceleration}, {"share", share}});
   const ReadableUnit unit = length_unit(predicted);
   const KnownNumber known = known_number(std::abs(predicted) * unit.per_si, left_out * unit.per_si);
   told.add("what_is_left",
@@ -86,6 +88,7 @@ void tell_walker(Told& told, double spin, double radius) {
   constexpr double kAgree = 0.02;
   if (!(std::abs(walked.slope - west) <= kAgree * std::abs(west)) || !(std::abs(south - lean) <= kAgree * std::abs(lean)))
     return;
+  const std::string_view to = west > 0 ? "West" : "East";
   tell_earth_turns(told);
   tell_coriolis_torque(told, spin);
   told.add("rest_leans",
@@ -93,16 +96,15 @@ void tell_walker(Told& told, double spin, double radius) {
                        "direction, and in this run it leans there by {} on average.",
                        angle_text(std::abs(lean), 3), lean > 0 ? "South" : "North", angle_text(std::abs(south), 3)),
            {{"lean_south_rad", lean}, {"mean_lean_south_rad", south}});
-  told.add(
-      "walks_west",
-      fmt::format("A top that leans rolls on its tip like a wheel, at r ω times its lean: to the West, at {}/s in theory and "
-                  "at {}/s in this run. A top that spins the other way leans the other way, and walks to the West, too.",
-                  length_text(west, 3), length_text(walked.slope, 3)),
-      {{"predicted_west_m_s", west}, {"computed_west_m_s", walked.slope}});
+  told.add("walks_west",
+           fmt::format("A top that leans rolls on its tip like a wheel, at r {} times its lean, {}/s to the {} in theory, and "
+                       "at {}/s in this run. A top that spins the other way leans the other way, and walks to the {}, too.",
+                       size_of("ω", spin), length_text(std::abs(west), 3), to, length_text(std::abs(walked.slope), 3), to),
+           {{"predicted_west_m_s", west}, {"computed_west_m_s", walked.slope}});
   const double off = walked.largest_residual;
   told.add("what_is_left",
            fmt::format("In {:.6g} s that is {}; about this path the point of contact moves to and fro by {} at most.",
-                       told.reached_s(), length_text(walked.slope * told.reached_s(), 3), length_text(off, 2)),
+                       told.reached_s(), length_text(std::abs(walked.slope) * told.reached_s(), 3), length_text(off, 2)),
            {{"walked_west_m", walked.slope * told.reached_s()}, {"off_m", off}});
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "closed_form/level_compass.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/model/body.hpp"
@@ -14,7 +15,7 @@
 namespace earthtop::why {
 
 void tell_free_gyroscope(Told& told) {
-  const double Omega = told.scene.rotation_rate_rad_s(), turned = std::abs(Omega) * told.reached_s();
+  const double Omega = told.scene.rotation_rate_rad_s();
   const Vec3<double> axis_L = vector(told.result.looks.front().axis_L);
   const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
   tell_earth_turns(told);
@@ -25,27 +26,28 @@ void tell_free_gyroscope(Told& told) {
   told.add(
       "turns_with_the_stars",
       fmt::format("Seen from the laboratory, it therefore turns as the stars do, about the celestial axis, {} seen from the "
-                  "celestial North Pole, at Ω = {:.7g} rad/s; it stands {:.5g}° from that pole.",
-                  Omega > 0 ? "clockwise" : "counterclockwise", std::abs(Omega), away * 180 / std::numbers::pi),
+                  "celestial North Pole, at {} = {:.7g} rad/s; it stands α = {:.5g}° from that pole.",
+                  Omega > 0 ? "clockwise" : "counterclockwise", size_of("Ω", Omega), std::abs(Omega),
+                  away * 180 / std::numbers::pi),
       {{"rate_rad_s", Omega}, {"angle_from_celestial_pole_rad", away}});
   const double error = std::max(told.theory->predicted_error, told.theory->computed_error.value_or(0));
-  told.add("what_is_left",
-           fmt::format("Its direction has moved by 2 asin(sin({:.5g}°) |sin({}/2)|), which is {} in theory and {} in this run.",
-                       away * 180 / std::numbers::pi, angle_text(turned), angle_with_error(told.theory->predicted, error),
-                       angle_with_error(*told.theory->computed, error)),
-           {{"predicted_rad", told.theory->predicted}, {"computed_rad", *told.theory->computed}});
+  told.add(
+      "what_is_left",
+      fmt::format("In the time t of this run its direction has moved by 2 asin(sin(α) |sin(Ω t/2)|), which is {} in theory "
+                  "and {} in this run.",
+                  angle_with_error(told.theory->predicted, error), angle_with_error(*told.theory->computed, error)),
+      {{"predicted_rad", told.theory->predicted}, {"computed_rad", *told.theory->computed}});
 }
 
 void tell_sleeping_top(Told& told) {
   const double lean = told.theory->predicted, seen = *told.theory->computed;
   if (std::abs(told.W_L[1]) <= kNone * told.Omega()) return;
-  const double spin = told.scene.release<double>().w_XB_B[2];
-  const double coriolis = std::abs(told.I3 * spin * told.W_L[1]), gravity = std::abs(told.mgl * lean);
+  const double coriolis = norm(torques_at(told, told.result.looks.front()).tau_cor_A), gravity = std::abs(told.mgl * lean);
   tell_earth_turns(told);
   told.add("coriolis_torque",
-           fmt::format("The laboratory turns about North at Ω cos(latitude), {:.5g} rad/s, and turns the spin with it: to an "
+           fmt::format("The laboratory turns about North at {}, {:.5g} rad/s, and turns the spin with it: to an "
                        "observer in it, a Coriolis torque of {:.3g} N m acts on the upright top.",
-                       std::abs(told.W_L[1]), coriolis),
+                       told.northward_rate(), std::abs(told.W_L[1]), coriolis),
            {{"laboratory_rate_north_rad_s", told.W_L[1]}, {"coriolis_torque_N_m", coriolis}});
   told.add("rest_leans",
            fmt::format(
@@ -115,10 +117,9 @@ void tell_pendulum(Told& told) {
   const double up = told.W_L[2];
   tell_earth_turns(told);
   told.add("laboratory_turns",
-           fmt::format(
-               "Gravity keeps the swing in its plane while the laboratory turns about its vertical at Ω sin(latitude), {:.5g} "
-               "rad/s {} from above: seen from the laboratory, the plane turns {} by as much.",
-               std::abs(up), sense(up), sense(-up)),
+           fmt::format("Gravity keeps the swing in its plane while the laboratory turns about its vertical at {}, {:.5g} "
+                       "rad/s {} from above: seen from the laboratory, the plane turns {} by as much.",
+                       told.vertical_rate(), std::abs(up), sense(up), sense(-up)),
            {{"laboratory_rate_rad_s", up}, {"swing_s", swing_s}});
   told.add("bob_has_spin",
            fmt::format("Released at rest in the laboratory, the bob turns with it and has a spin of its own in space, which "
@@ -138,36 +139,52 @@ void tell_gyrocompass(Told& told) {
   if (!applied.gimbal || applied.gimbal->damping_N_m_s != 0 || !axis_at_rest(told.scene)) return;
   applied.gimbal.reset();
   const Vec3<double> n_L = vector(told.result.looks.front().ref_axis_L);
-  const double north = told.W_L[1], spin = told.scene.release<double>().w_XB_B[2] + n_L.dot(told.W_L);  // in space
-  if (applied.any() || std::abs(north) <= kNone * told.Omega() || spin == 0) return;
+  // North is where the level part of the Earth's rate points.
+  const double level = real::hypot(told.W_L[0], told.W_L[1]), Omega = told.scene.rotation_rate_rad_s() < 0 ? -1 : 1;
+  const double spin = told.scene.release<double>().w_XB_B[2], in_space = spin + n_L.dot(told.W_L);
+  if (applied.any() || level <= kNone * told.Omega() || spin * in_space <= 0) return;
   // The end of the axis that turns to North is that to which spin and Earth's rate point.
-  const double end = spin * north > 0 ? 1 : -1, first = real::atan2(end * n_L[0], end * n_L[1]);
-  const double stiffness = std::abs(told.I3 * spin * north) - told.I1 * north * north;
-  constexpr double kLargest = 0.5, kKept = 0.05;
-  if (first == 0 || std::abs(first) > kLargest || !(stiffness > 0)) return;
-  const double period = 2 * std::numbers::pi * std::sqrt(told.I1 / stiffness) * (1 + first * first / 16);
-  double off = 0;
-  for (const DriftRow& row : told.result.looks) {
-    const double angle = real::atan2(end * row.axis_L[0], end * row.axis_L[1]);
-    off = std::max(off, std::abs(angle - first * real::cos(2 * std::numbers::pi * row.t_s / period)));
-  }
-  if (off > kKept * std::abs(first)) return;
-  const double torque = std::abs(told.I3 * spin * north * real::sin(first));
+  const double end = spin * Omega > 0 ? 1 : -1;
+  const auto from_north = [&](const std::array<double, 3>& axis) {
+    const double along = Omega * (axis[0] * told.W_L[0] + axis[1] * told.W_L[1]);
+    return real::atan2(end * Omega * (axis[0] * told.W_L[1] - axis[1] * told.W_L[0]), end * along);
+  };
+  const double first = from_north(told.result.looks.front().ref_axis_L);
+  const double directing = std::abs(told.I3 * in_space * level) / told.I1;
+  constexpr double kLargest = 0.5, kAgree = 1e-3;
+  if (first == 0 || std::abs(first) > kLargest || !(directing > level * level)) return;
+  const LevelCompass swing(directing, level, first);
+  const double period = swing.period_s();
+  for (const DriftRow& look : told.result.looks)
+    if (std::abs(from_north(look.axis_L) - swing.angle(look.t_s)) > kAgree * std::abs(first)) return;
+  const double small_period = 2 * std::numbers::pi * std::sqrt(told.I1 / std::abs(told.I3 * spin * level));
+  const double off = largest_length(told.result, [&](const DriftRow& look) {
+    return Vec3<double>(from_north(look.axis_L) - first * real::cos(2 * std::numbers::pi * look.t_s / period), 0, 0);
+  });
+  const double torque = largest_length(
+      told.result, [&](const DriftRow& look) { return Vec3<double>(0, 0, torques_at(told, look).tau_cor_A[2]); });
+  const std::string of_north = northward_rate(told.scene.site(), "Ω");
   tell_earth_turns(told);
+  told.add("gimbal_holds",
+           fmt::format("The gimbal holds the axis level, so that only the Earth's rotation about North matters, {} = {:.5g} "
+                       "rad/s: the Coriolis torque about the vertical, {:.3g} N m at most, turns the axis, which cannot yield "
+                       "upwards.",
+                       size_of(of_north, Omega), level, torque),
+           {{"laboratory_rate_north_rad_s", Omega * level}, {"coriolis_torque_N_m", torque}});
   told.add(
-      "gimbal_holds",
-      fmt::format("The gimbal holds the axis level, so that only the Earth's rotation about North matters, Ω cos(latitude) = "
-                  "{:.5g} rad/s: the Coriolis torque, {:.3g} N m at most, turns the axis, which cannot yield upwards.",
-                  std::abs(north), torque),
-      {{"laboratory_rate_north_rad_s", north}, {"coriolis_torque_N_m", torque}});
-  told.add("swings_about_north",
-           fmt::format("It drives the axis to the {}: about that direction the axis swings by {} to either side, with the "
-                       "period 2π sqrt(I1/(I3 ω3 Ω cos(latitude))) = {:.5g} s.",
-                       end > 0 ? "North" : "South, and its spin to the North", angle_text(std::abs(first), 4), period),
-           {{"drives_to_north", end}, {"amplitude_rad", std::abs(first)}, {"period_s", period}});
+      "swings_about_north",
+      fmt::format("It drives the axis to the {}: about that direction the axis swings by {} to either side. To first order "
+                  "in the Earth's rate, small swings have the period 2π sqrt(I1/(I3 {})) = {:.5g} s; these swings have "
+                  "the period {:.5g} s, by an elliptic integral.",
+                  end > 0 ? "North" : "South, and its spin to the North", angle_text(std::abs(first), 4),
+                  size_of("ω3 " + of_north, end), small_period, period),
+      {{"drives_to_north", end},
+       {"amplitude_rad", std::abs(first)},
+       {"small_swing_period_s", small_period},
+       {"period_s", period}});
   told.add("what_is_left",
-           fmt::format("This run covers {:.3g} such swings, and departs from them by {} at most.", told.reached_s() / period,
-                       angle_text(off, 2)),
+           fmt::format("This run covers {:.3g} such swings, and departs from a cosine of their period by {} at most.",
+                       told.reached_s() / period, angle_text(off, 2)),
            {{"swings", told.reached_s() / period}, {"off_rad", off}});
 }
 

@@ -4,11 +4,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "earthtop/model/ledger.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/vectors.hpp"
+#include "run/earth_symbols.hpp"
+#include "run/largest.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop::why {
@@ -27,12 +34,43 @@ struct Told {
 
   double Omega() const { return norm(W_L); }
   double reached_s() const { return result.rows.back().t_s; }
+  std::string vertical_rate() const { return size_of(earthtop::vertical_rate(scene.site(), "Ω"), W_L[2]); }
+  std::string northward_rate() const { return size_of(earthtop::northward_rate(scene.site(), "Ω"), W_L[1]); }
   void add(std::string_view name, std::string text, std::vector<std::pair<std::string_view, double>> numbers) {
     sentences.push_back({name, std::move(text), std::move(numbers)});
   }
 };
 
 inline Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+/// The torques that the laboratory observer counts at a look, as in the ledger.
+inline LedgerEntry<double> torques_at(const Told& told, const DriftRow& look) {
+  const Quaternion<double> q_LB{look.q_LB[0], Vec3<double>(look.q_LB[1], look.q_LB[2], look.q_LB[3])};
+  return ledger_entry(LedgerObserver::laboratory, told.scene.model<double>(), look.t_s, q_LB, vector(look.w_LB_B));
+}
+
+/// The largest length that a vector has along the motion, between the looks, too.
+/// @param vector_at  takes a look
+template <class VectorAt>
+double largest_length(const RunResult& result, const VectorAt& vector_at) {
+  std::vector<double> times_s, squares;  // of the length, since the length itself may have a corner
+  double scale = 0;
+  std::vector<Vec3<double>> vectors;
+  for (const DriftRow& look : result.looks) {
+    times_s.push_back(look.t_s), vectors.push_back(vector_at(look));
+    scale = std::max(scale, norm(vectors.back()));
+  }
+  if (!(scale > 0)) return 0;
+  for (const Vec3<double>& v : vectors) squares.push_back((v / scale).dot(v / scale));
+  const std::size_t count = result.looks_a_window > 0 ? result.looks_a_window : times_s.size();
+  double largest = 1;
+  for (std::size_t begin = 0; begin < times_s.size(); begin += count) {
+    const std::size_t size = std::min(count, times_s.size() - begin);
+    if (const auto top = largest_of(std::span(times_s).subspan(begin, size), std::span(squares).subspan(begin, size)))
+      largest = std::max(largest, top->value);
+  }
+  return scale * std::sqrt(largest);
+}
 
 inline std::string with_error(double value, double error) {
   const KnownNumber known = known_number(value, error);

@@ -80,13 +80,16 @@ class Page {
   std::string text_;
 };
 
+/// The angle by which the Earth turns, whichever way it does.
+std::string_view earth_angle(const Scene& scene) { return scene.rotation_rate_rad_s() < 0 ? "|Ω| t" : "Ω t"; }
+
 void write_scene(Page& page, const Scene& scene, double reached_s) {
   const Site& site = scene.site();
   const double turn = std::abs(scene.rotation_rate_rad_s()) * reached_s;
   page.entry("Place", fmt::format("latitude {}°, longitude {}°, height {} m; gravity {} m/s²", site.latitude_deg,
                                   site.longitude_deg, site.height_m, site.gravity_m_s2));
-  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by Ω t = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
-                                  reached_s, turn, pictured(turn)));
+  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by {} = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
+                                  reached_s, earth_angle(scene), turn, pictured(turn)));
   page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
   page.entry("", matching_rule(scene.scenario()));
 }
@@ -139,7 +142,8 @@ void write_drift(Page& page, const RunResult& result) {
   const DriftSummary drift = reliable_drift(result);
   page.heading(fmt::format("Drift after {} s", last->t_s));
   std::string share;
-  if (drift.axis_final_over_earth_angle) share = fmt::format(" = {:.4g} Ω t", *drift.axis_final_over_earth_angle);
+  if (drift.axis_final_over_earth_angle)
+    share = fmt::format(" = {:.4g} {}", *drift.axis_final_over_earth_angle, earth_angle(result.scene));
   page.line("  spin axis   {} = {}{}", page.strong(with_bound(drift.axis_final_rad, drift.axis_bound_rad, "rad")),
             page.strong(pictured(drift.axis_final_rad)), share);
   if (const auto digits = drift_digits(result); digits && last == &result.rows.back())
