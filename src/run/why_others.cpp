@@ -158,11 +158,15 @@ void tell_gyrocompass(Told& told) {
   for (const DriftRow& look : told.result.looks)
     if (std::abs(from_north(look.axis_L) - swing.angle(look.t_s)) > kAgree * std::abs(first)) return;
   const double small_period = 2 * std::numbers::pi * std::sqrt(told.I1 / std::abs(told.I3 * spin * level));
-  const double off = largest_length(told.result, [&](const DriftRow& look) {
-    return Vec3<double>(from_north(look.axis_L) - first * real::cos(2 * std::numbers::pi * look.t_s / period), 0, 0);
-  });
-  const double torque = largest_length(
-      told.result, [&](const DriftRow& look) { return Vec3<double>(0, 0, torques_at(told, look).tau_cor_A[2]); });
+  const auto beside_cosine = [&](double t_s, double angle) {
+    return std::abs(angle - first * real::cos(2 * std::numbers::pi * t_s / period));
+  };
+  double off = 0;
+  for (const DriftRow& look : told.result.looks) off = std::max(off, beside_cosine(look.t_s, from_north(look.axis_L)));
+  constexpr int kBetweenLooks = 240;  // times in a period at which the theory tells what the looks leave out
+  for (int i = 1; i < kBetweenLooks && period * i / kBetweenLooks < told.reached_s(); ++i)
+    off = std::max(off, beside_cosine(period * i / kBetweenLooks, swing.angle(period * i / kBetweenLooks)));
+  const double torque = std::abs(torques_at(told, told.result.looks.front()).tau_cor_A[2]);  // at its largest
   const std::string of_north = northward_rate(told.scene.site(), "Ω");
   tell_earth_turns(told);
   told.add("gimbal_holds",

@@ -59,7 +59,7 @@ on_stderr "another study's, no point of which had been completed"
 # The main case.
 expect 0 study small.json
 on_stdout 'A study for the shell'
-on_stdout 'a + b sin(latitude_deg)'
+on_stdout 'a + b sin(latitude_deg°)'
 on_stdout 'out/studies/small'
 nothing_on_stderr
 [ "$(wc -l <out/studies/small/study.csv)" -eq 11 ] || fault "not ten points"

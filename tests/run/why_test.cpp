@@ -110,13 +110,19 @@ TEST_P(WhyPrecessing, TheEarthAndItsTorqueHaveTheirSizes) {
   for (const DriftRow& row : result.looks) {
     const Quaternion<double> q{row.q_LB[0], Vec3<double>(row.q_LB[1], row.q_LB[2], row.q_LB[3])};
     const auto entry = ledger_entry(LedgerObserver::laboratory, result.modelled.model<double>(), row.t_s, q,
-                                    Vec3<double>(0, 0, row.w_LB_B[2]));
+                                    Vec3<double>(row.w_LB_B[0], row.w_LB_B[1], row.w_LB_B[2]));
     coriolis = std::max(coriolis, entry.tau_cor_A.norm());
     gravity = std::max(gravity, entry.tau_phys_A.norm());
   }
-  EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), coriolis, 1e-12 * coriolis);
-  EXPECT_NEAR(number(result, "coriolis_torque", "gravity_torque_N_m"), gravity, 1e-12 * gravity);
-  EXPECT_NEAR(number(result, "coriolis_torque", "ratio"), coriolis / gravity, 1e-12 * coriolis / gravity);
+  // Between the looks, twelve of which see each swing, they rise a little higher.
+  constexpr double kHigher = 0.034, kRounding = 1e-12;
+  const double told = number(result, "coriolis_torque", "coriolis_torque_N_m"),
+               beside = number(result, "coriolis_torque", "gravity_torque_N_m");
+  EXPECT_GE(told, coriolis * (1 - kRounding));
+  EXPECT_LE(told, coriolis * (1 + kHigher));
+  EXPECT_GE(beside, gravity * (1 - kRounding));
+  EXPECT_LE(beside, gravity * (1 + kHigher));
+  EXPECT_NEAR(number(result, "coriolis_torque", "ratio"), told / beside, kRounding * told / beside);
 }
 
 TEST_P(WhyPrecessing, LooksSlowerOrFasterAsItIsSeen) {

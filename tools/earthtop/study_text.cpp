@@ -123,8 +123,8 @@ std::string fits_text(const Json& document) {
     const std::string form = kind == "linear"         ? fmt::format("a + b {}", x)
                              : power                  ? fmt::format("a |{}|^b", x)
                              : kind == "logarithmic"  ? fmt::format("a + b ln|{}|", x)
-                             : kind == "sin_latitude" ? fmt::format("a + b sin({})", x)
-                                                      : fmt::format("a + b cos({})", x);
+                             : kind == "sin_latitude" ? fmt::format("a + b sin({}°)", x)
+                                                      : fmt::format("a + b cos({}°)", x);
     text += fmt::format("  {} = {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n",
                         power ? "|" + fit.at("quantity").get<std::string>() + "|" : fit.at("quantity").get<std::string>(), form,
                         cell(fit.at("points")), with_error(fit.at("a"), fit.at("a_standard_error")),
