@@ -13,6 +13,8 @@
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/model/body.hpp"
+#include "earthtop/model/release.hpp"
 #include "run/assessment.hpp"
 #include "run/earth_symbols.hpp"
 

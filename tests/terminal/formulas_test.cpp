@@ -727,24 +727,25 @@ TEST(Formulas, FitsAreTheCurvesThatTheirFormulasSay) {
        [](double x) { return std::cos(x * std::numbers::pi / 180); }},
       {"  drift.axis_final_rad = a + b ln|latitude_deg|, 9 points\n", false, [](double x) { return std::log(std::abs(x)); }},
       {"  |drift.axis_final_rad| = a |latitude_deg|^b, 9 points\n", true, [](double x) { return std::log(std::abs(x)); }}};
-  for (const auto& [formula, of_logarithm, regressor] : forms) {
-    ASSERT_NE(text.find(formula), std::string::npos) << text;
+  for (const Form& form : forms) {
+    ASSERT_NE(text.find(form.formula), std::string::npos) << text;
     long double n = 0, x = 0, y = 0, xx = 0, xy = 0, squares = 0;
-    const auto value = [&](double drift) { return of_logarithm ? std::log(drift) : drift; };
+    const auto value = [&](double drift) { return form.of_logarithm ? std::log(drift) : drift; };
     for (const auto& [latitude, drift] : points) {
-      const long double u = regressor(latitude), v = value(drift);
+      const long double u = form.regressor(latitude), v = value(drift);
       n += 1, x += u, y += v, xx += u * u, xy += u * v;
     }
     const long double b = (n * xy - x * y) / (n * xx - x * x), a = (y - b * x) / n;
     for (const auto& [latitude, drift] : points) {
-      const long double off = value(drift) - a - b * static_cast<long double>(regressor(latitude));
+      const long double off = value(drift) - a - b * static_cast<long double>(form.regressor(latitude));
       squares += off * off;
     }
-    const std::size_t at = text.find(formula);
+    const std::size_t at = text.find(form.formula);
     constexpr double kRounded = 1e-8;  // of numbers of eight digits, of which the last may be zeros
-    EXPECT_TRUE(is_number(*number_after(text, "\n    a = ", at), of_logarithm ? std::exp(a) : a, kRounded)) << formula;
-    EXPECT_TRUE(is_number(*number_after(text, "\n    b = ", at), b, kRounded)) << formula;
-    EXPECT_TRUE(is_number(*number_after(text, "\n    residual ", at), std::sqrt(squares / n), 1e-6)) << formula;
+    EXPECT_TRUE(is_number(*number_after(text, "\n    a = ", at), form.of_logarithm ? std::exp(a) : a, kRounded))
+        << form.formula;
+    EXPECT_TRUE(is_number(*number_after(text, "\n    b = ", at), b, kRounded)) << form.formula;
+    EXPECT_TRUE(is_number(*number_after(text, "\n    residual ", at), std::sqrt(squares / n), 1e-6)) << form.formula;
   }
 }
 
