@@ -21,8 +21,9 @@ namespace {
 
 /// The largest Coriolis torque beside gravity's largest.
 void tell_coriolis_torque(Told& told) {
-  const double coriolis = largest_length(told.result, [&](const DriftRow& look) { return torques_at(told, look).tau_cor_A; });
-  const double gravity = largest_length(told.result, [&](const DriftRow& look) { return torques_at(told, look).tau_phys_A; });
+  const double coriolis = largest_length(told.result, [&](const DriftRow& look) { return coriolis_torque_L(told, look); });
+  const double gravity = largest_length(
+      told.result, [&](const DriftRow& look) { return Vec3<double>(told.mgl * look.axis_L[0], told.mgl * look.axis_L[1], 0); });
   told.add("coriolis_torque",
            fmt::format("To an observer in the laboratory, a Coriolis torque acts on the spinning top, {:.3g} N m at most: "
                        "{:.2g} times gravity's {:.3g} N m.",

@@ -42,7 +42,7 @@ void tell_free_gyroscope(Told& told) {
 void tell_sleeping_top(Told& told) {
   const double lean = told.theory->predicted, seen = *told.theory->computed;
   if (std::abs(told.W_L[1]) <= kNone * told.Omega()) return;
-  const double coriolis = norm(torques_at(told, told.result.looks.front()).tau_cor_A), gravity = std::abs(told.mgl * lean);
+  const double coriolis = norm(coriolis_torque_L(told, told.result.looks.front())), gravity = std::abs(told.mgl * lean);
   tell_earth_turns(told);
   told.add("coriolis_torque",
            fmt::format("The laboratory turns about North at {}, {:.5g} rad/s, and turns the spin with it: to an "
@@ -166,7 +166,7 @@ void tell_gyrocompass(Told& told) {
   constexpr int kBetweenLooks = 240;  // times in a period at which the theory tells what the looks leave out
   for (int i = 1; i < kBetweenLooks && period * i / kBetweenLooks < told.reached_s(); ++i)
     off = std::max(off, beside_cosine(period * i / kBetweenLooks, swing.angle(period * i / kBetweenLooks)));
-  const double torque = std::abs(torques_at(told, told.result.looks.front()).tau_cor_A[2]);  // at its largest
+  const double torque = std::abs(coriolis_torque_L(told, told.result.looks.front())[2]);  // at its largest
   const std::string of_north = northward_rate(told.scene.site(), "Ω");
   tell_earth_turns(told);
   told.add("gimbal_holds",

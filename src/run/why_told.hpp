@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "earthtop/model/ledger.hpp"
+#include "earthtop/model/model.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/vectors.hpp"
 #include "run/earth_symbols.hpp"
@@ -43,10 +43,11 @@ struct Told {
 
 inline Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// The torques that the laboratory observer counts at a look, as in the ledger.
-inline LedgerEntry<double> torques_at(const Told& told, const DriftRow& look) {
-  const Quaternion<double> q_LB{look.q_LB[0], Vec3<double>(look.q_LB[1], look.q_LB[2], look.q_LB[3])};
-  return ledger_entry(LedgerObserver::laboratory, told.scene.model<double>(), look.t_s, q_LB, vector(look.w_LB_B));
+/// The Coriolis torque (N m) at a look, as the ledger of the laboratory observer counts it.
+inline Vec3<double> coriolis_torque_L(const Told& told, const DriftRow& look) {
+  const Mat3<double> R_LB = rotation_matrix(Quaternion<double>{look.q_LB[0], {look.q_LB[1], look.q_LB[2], look.q_LB[3]}});
+  const Mat3<double> J_B = velocity_moment<double>(told.scene.model<double>().S_BP_B, vector(look.w_LB_B));
+  return times(R_LB, coriolis_torque<double>(transposed_times(R_LB, told.W_L), J_B));
 }
 
 /// The largest length that a vector has along the motion, between the looks, too.
