@@ -47,7 +47,7 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
   const bool same_hash = before == now && !before.empty();
   for (const std::string& pointer : options.may_change) {
     const Json::json_pointer key("/scenario" + (pointer == "/" ? "" : pointer));
-    if (!reference.summary->contains(key) && !candidate.summary->contains(key))
+    if (pointer != "/name" && !reference.summary->contains(key) && !candidate.summary->contains(key))
       report.notes.push_back(fmt::format("--allow-change {}: neither scenario has such a key", pointer));
   }
   std::vector<ScenarioChange> allowed, forbidden;
@@ -62,14 +62,18 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
   if (before.empty() || now.empty())
     report.findings.push_back(
         {"other scenario", fmt::format("the {} has no scenario hash", before.empty() ? "reference" : "new result")});
-  // If the hashes differ though no key does, the difference is in words about the scene. A compact reference does not keep
-  // these.
-  const bool only_words = allowed.empty() && forbidden.empty() && !reference.has_some_rows_only;
-  if (only_words && !is_below("/title", options.may_change))
+  // If the hashes differ though no key does, the name differs, which is no key of the summary's scenario, or an older version
+  // made one of the hashes. A compact reference may have been written under another name.
+  const std::string old_name = reference.word("/name"), new_name = candidate.word("/name");
+  const bool no_key_differs = allowed.empty() && forbidden.empty() && !before.empty() && !now.empty();
+  if (no_key_differs && !reference.has_some_rows_only && !is_below("/name", options.may_change))
     report.findings.push_back(
-        {"other scenario", fmt::format("scenario hash {:.12} in the reference, {:.12} now: name, title, purpose, "
-                                       "headline or criteria",
-                                       before, now)});
+        {"other scenario",
+         old_name != new_name
+             ? fmt::format("the name is \"{}\" in the reference, \"{}\" now (--allow-change /name allows it)", old_name, new_name)
+             : fmt::format("scenario hash {:.12} in the reference, {:.12} now, though no key differs: an older version made "
+                           "one of them (--allow-change / allows it)",
+                           before, now)});
   if (!forbidden.empty()) report.findings.push_back({"other scenario", listed(forbidden)});
   if (!allowed.empty()) report.notes.push_back("other scenario, as allowed: " + listed(allowed));
 }
@@ -127,7 +131,8 @@ void compare_summaries(const Comparand& reference, const Comparand& candidate, c
   context.end_trusted = rows.trust.at(candidate.number("/outcome/reached_s").value_or(0));
   const Json::json_pointer motion("/scenario/motion");
   context.same_rows = reference.summary->value(motion, Json()) == candidate.summary->value(motion, Json());
-  context.both_of_motion = reference.number("/drift/axis_max_at_s") && candidate.number("/drift/axis_max_at_s");
+  const Json::json_pointer largest("/drift/axis_max_at_s");  // null where there is no drift
+  context.both_of_motion = reference.summary->contains(largest) && candidate.summary->contains(largest);
   context.longer = longer;
   FiguresComparison figures = compare_figures(reference, candidate, context, options);
   for (QuantityVerdict& figure : figures.quantities) report.quantities.push_back(std::move(figure));

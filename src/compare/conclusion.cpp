@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "compare/row.hpp"
 #include "results/columns.hpp"
@@ -32,10 +34,17 @@ std::string told(const QuantityVerdict& quantity) {
   return text;
 }
 
+/// What part of its tolerance a quantity uses where its difference is largest and, where that is another row, at most.
 std::string share_words(const QuantityVerdict& quantity) {
-  if (quantity.tolerance == 0) return "where nothing is allowed";
-  return quantity.share < 1 ? fmt::format("{:.2g} of its tolerance", quantity.share)
-                            : fmt::format("{:.3g} times its tolerance", quantity.share);
+  constexpr double kRounding = 1e-9;
+  const auto in_words = [](double share) -> std::string {
+    if (std::isinf(share)) return "where nothing is allowed";
+    return share < 1 ? fmt::format("{:.2g} of its tolerance", share) : fmt::format("{:.3g} times its tolerance", share);
+  };
+  const double here =
+      quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
+  const bool is_elsewhere = quantity.share > here * (1 + kRounding);
+  return in_words(here) + (is_elsewhere ? fmt::format(", but {} in another row", in_words(quantity.share)) : "");
 }
 
 /// What differs, or how near the two are to that.
@@ -58,7 +67,7 @@ std::string what_was_found(const PairReport& pair) {
                     beyond.size() > 1 ? "most of all " : "", told(most), share_words(most)));
   }
   if (!without.empty())
-    add(fmt::format("{} could not be compared, {}{}: {}", counted(without.size(), "quantity", "quantities"),
+    add(fmt::format("{} otherwise than by a number, {}{}: {}", counted(without.size(), "quantity differs", "quantities differ"),
                     without.size() > 1 ? "the first one " : "", without[0]->name, without[0]->reason));
   if (!pair.findings.empty())
     add(fmt::format("{}: {}{}", pair.findings[0].kind, pair.findings[0].text,
@@ -122,7 +131,8 @@ std::string changes_of(const CompareReport& report) {
     for (const QuantityVerdict& quantity : pair.quantities) {
       compared = compared || quantity.compared > 0;
       other = other || !quantity.reason.empty();
-      if (quantity.change == Change::none || (!quantity.reason.empty() && quantity.largest == 0)) continue;
+      const bool is_no_number = !quantity.reason.empty() && quantity.where.empty();  // a word, or a figure that is missing
+      if (quantity.change == Change::none || is_no_number) continue;
       moved = true;
       above = above || quantity.change == Change::above_errors;
       within_failed = within_failed || (quantity.change == Change::within_errors && !quantity.passed);
@@ -134,7 +144,7 @@ std::string changes_of(const CompareReport& report) {
   if (!compared)
     return "no number could be compared";
   else if (!moved)
-    text = other ? "what both have has not changed by a bit" : "not a bit has changed";
+    text = other ? "no number that both have has changed by a bit" : "not a bit has changed";
   else if (above)
     text = "something has changed by more than both error bounds";
   else if (!unknown)
@@ -144,7 +154,7 @@ std::string changes_of(const CompareReport& report) {
   else if (!within_failed)
     text = "what has changed by more than its tolerance has no error bounds";
   else
-    text = "where error bounds are known, what has changed is within them; something without has passed its tolerance";
+    text = "where error bounds are known, what has changed is within them; something without them is beyond its tolerance";
   return other ? text + "; what else differs is named below" : text;
 }
 

@@ -27,7 +27,7 @@ Attitude product(const Attitude& a, const Attitude& b) {
 constexpr double kHalf = std::numbers::sqrt2 / 2;
 constexpr Attitude kFromNed = {0, kHalf, kHalf, 0};   // from North, East, Down to East, North, Up
 constexpr Attitude kForwardDown = {0, 1, 0, 0};       // turns axes y and z round
-constexpr Attitude kSpinIsX = {kHalf, 0, -kHalf, 0};  // x of the file is body axis 3, up to the turn about it
+constexpr Attitude kXForward = {0.5, 0.5, 0.5, 0.5};  // x, y, z of the file are body axes 3, 1, 2
 
 struct AttitudeMixUp {
   const char* what;
@@ -46,7 +46,7 @@ constexpr AttitudeMixUp kAttitudeMixUps[] = {
     {"its world axes are taken as North, East, Down and its body axes 2 and 3 as reversed",
      [](const Attitude& q) { return product(product(kFromNed, q), kForwardDown); }},
     {"its body axes 2 and 3 are taken as reversed", [](const Attitude& q) { return product(q, kForwardDown); }},
-    {"its body x is taken as the spin axis", [](const Attitude& q) { return product(q, kSpinIsX); }},
+    {"its body axes are taken as x-forward: x is the spin axis", [](const Attitude& q) { return product(q, kXForward); }},
     {"its world axes are taken as North, East, Down and its quaternions as world-to-body",
      [](const Attitude& q) {
        return product(kFromNed, Attitude{q[0], -q[1], -q[2], -q[3]});

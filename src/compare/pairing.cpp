@@ -41,6 +41,7 @@ void Pairing::advance(bool outside) {
 
 void Pairing::miss(double t_s, bool outside) {
   if (counts_.missing_inside + counts_.missing_outside == 0) counts_.first_missing_s = t_s;
+  if (outside && counts_.missing_outside == 0) counts_.first_outside_s = t_s;
   ++(outside ? counts_.missing_outside : counts_.missing_inside);
 }
 

@@ -64,6 +64,7 @@ class OwnRows : public RowSource {
     const auto kinds = reader_.kinds();
     row.t_s = numbers[0];
     require_later(reader_, row.t_s, last_s_);
+    row.kind.fill(CellKind::empty);  // also of the bounds: a file without them states none
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       row.value[columns_[i]] = numbers[i + 1];
       row.kind[columns_[i]] = kinds[i + 1];

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kMostSeen = 200;
 constexpr std::size_t kMostSpans = 1000;  // largest number of spans in a difference's curve
+constexpr double kNearlySame = 0.1;       // rad: attitudes that differ by less have quaternions of the same or of opposite signs
 
 /// Builds a difference's curve: the largest difference in each span of equally many rows. If there are too many spans, every
 /// two are joined.
@@ -245,7 +246,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
   if (judges_.empty()) result_.findings.push_back({"nothing in common", "the two have no quantity in common"});
 }
 
-/// Whether two quaternions of nearly the same attitude have opposite signs.
+/// Whether the quaternions of two attitudes point to opposite sides; of nearly the same attitude, they have opposite signs.
 bool have_other_signs(const Measure& measure, const Row& a, const Row& b) {
   double cosine = 0;
   for (std::size_t i = measure.column; i < measure.column + measure.width; ++i) cosine += a.value[i] * b.value[i];
@@ -278,7 +279,9 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
       judge.miss(t_s, fmt::format("not a finite number in the {} at {}", b == Presence::not_finite ? "new rows" : "reference",
                                   at_time(t_s)));
     } else if (a == Presence::whole && b == Presence::whole) {
-      if (measure.kind == MeasureKind::attitude && have_other_signs(measure, reference, candidate)) ++other_signs_;
+      if (measure.kind == MeasureKind::attitude && have_other_signs(measure, reference, candidate) &&
+          difference(measure, reference, candidate) < kNearlySame)
+        ++other_signs_;
       judge.judge(t_s, reference, candidate, errors_of(measure, bounds_, context_, rate_, reference, candidate),
                   options_.tolerances.profile != Profile::bitwise || same_digits(measure, reference, candidate));
     } else if (a != b) {
@@ -348,7 +351,7 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
     result_.findings.push_back(
         {"missing rows", fmt::format("{} of the reference's {} rows are missing in the new result, the first "
                                      "one at t = {} s",
-                                     missing, known.rows, counts.first_missing_s)});
+                                     missing, known.rows, interpolated > 0 ? counts.first_outside_s : counts.first_missing_s)});
   else if (missing > 0)
     result_.notes.push_back(
         fmt::format("{} of the reference's {} rows are missing in the new result, which was allowed", missing, known.rows));
@@ -383,6 +386,7 @@ RowsComparison Comparison::take() {
 
 /// Refuses a file whose number of rows is not the one that its summary states: it is incomplete, or the summary is another's.
 void require_stated(const Comparand& comparand, const Table& table, const CountedRows& rows) {
+  if (rows.count() == 0 && !comparand.has_summary()) refuse_path(comparand.path, "has no rows");
   const auto refuse = [&](std::string message) { refuse_path(comparand.path / table.file, std::move(message)); };
   if (rows.count() == 0) refuse("has no rows; run the scenario again");
   if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows.count()) return;
@@ -398,7 +402,7 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
                               const std::function<std::unique_ptr<RowSource>()>& open_candidate, const RowsContext& context,
                               const CompareOptions& options, const Watch& watch) {
   constexpr double kSurvey = 0.3;  // share of the survey in the work: it reads one of the two files
-  for (const bool interpolates : {false, true}) {
+  for (bool interpolates = false;; interpolates = true) {
     const auto surveyed = open_reference();
     CountedRows surveyed_rows(*surveyed);
     const Survey known = survey(surveyed_rows, table, interpolates, watch.part(0, kSurvey), context.end_s);
@@ -411,7 +415,6 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
     require_stated(candidate, table, counted);
     return comparison.take();
   }
-  throw ScenarioError("", "rows at different times cannot be compared in this table; give both the same times");
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ double trusted_s(const std::vector<Doubted>& doubts, double end_s) {
   return sum;
 }
 
-/// "until t = 3.2 s", or, of a run that is trusted again later, "for 5 s".
+/// "to the end", "until t = 3.2 s", or, of a run that is trusted again later, "for 5 s".
 std::string trusted_words(const std::vector<Doubted>& doubts, double end_s) {
-  if (doubts.empty()) return fmt::format("until t = {:.6g} s", end_s);
+  if (doubts.empty()) return "to the end";
   if (doubts.size() == 1 && !(doubts[0].until_s < end_s)) return fmt::format("until t = {:.6g} s", doubts[0].from_s);
   return fmt::format("for {:.6g} s", trusted_s(doubts, end_s));
 }
