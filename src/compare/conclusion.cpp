@@ -144,7 +144,7 @@ std::string changes_of(const CompareReport& report) {
   if (!compared)
     return "no number could be compared";
   else if (!moved)
-    text = other ? "no number that both have has changed by a bit" : "not a bit has changed";
+    text = other ? "no quantity's number has changed by a bit" : "not a bit has changed";
   else if (above)
     text = "something has changed by more than both error bounds";
   else if (!unknown)

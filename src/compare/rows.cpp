@@ -95,7 +95,8 @@ class Judge {
     const double share = tolerance > 0 ? found / tolerance : passed ? 0 : std::numeric_limits<double>::infinity();
     verdict_.share = std::max(verdict_.share, share);
     if (!passed && verdict_.violations++ == 0) verdict_.first_violation_s = t_s;
-    if (!same_digits_too && verdict_.reason.empty()) verdict_.reason = fmt::format("different digits at {}", at_time(t_s));
+    if (!same_digits_too && found == 0 && verdict_.reason.empty())
+      verdict_.reason = fmt::format("different digits at {}", at_time(t_s));
     if (found > 0 || !same_digits_too) {
       moved_ = true;
       above_ = above_ || (errors >= 0 && found > errors);

@@ -38,7 +38,7 @@ without_checksum() { python3 -c 'import json, sys; d = json.load(sys.stdin); del
 sed 's/"tilt_max_rad": [0-9.e-]*,/"tilt_max_rad": null,/' runs/toy-top/summary.json | without_checksum >keyless/summary.json
 expect 1 compare runs/toy-top keyless
 on_stdout 'FAILED  drift.tilt_max_rad'
-on_stdout '^No number that both have has changed by a bit; what else differs is named below.$'
+on_stdout "^No quantity's number has changed by a bit; what else differs is named below.$"
 expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --out short --quiet
 expect 0 run "$scenarios/toy-top.json" --set /motion/duration_s=2 --set /numerics/relative_tolerance=1e-9 --out loose --quiet
 expect 1 compare short loose

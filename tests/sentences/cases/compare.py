@@ -119,7 +119,7 @@ OF_PATHS = [
     *told("holds no results: it has no summary.json, no study.sqlite, no directories with one, and no compact references",
           {**results("old"), "new/readme.txt": "nothing"}, 2, both()),
     *told("old and many are of different kinds: give two results, two directories of results, or two study stores",
-          {**results("old"), **results("many/top")}, 2, {**results("few/top"), **results("many/top")},
+          {**results("old"), **results("many/top")}, 2, {**results("old/top"), **results("many/top")},
           command="compare old many"),
     *told("old or new: a JSON file in it is not in the form that this program writes; write it again", both(scenario=[1]), 2,
           both()),
@@ -142,7 +142,7 @@ OF_PATHS = [
 
 OTHER_SPIN = {"scenario": {"release": {"spin_rad_s": 201}}}
 UNSTABLE = {"verdict": "unstable", "reliable": {"until_s": 1}}
-TORQUES = "t_s,tau_cor_L_x_N_m,tau_cor_L_y_N_m,tau_cor_L_z_N_m\n0,0,0,1\n1,0,0,1\n2,0,0,1\n"
+TORQUES = "t_s,tau_cor_x_N_m,tau_cor_y_N_m,tau_cor_z_N_m\n0,0,0,1\n1,0,0,1\n2,0,0,1\n"
 OF_SCENARIOS = [
     *told("the scenarios do not match their hash: /release/spin_rad_s: 200 in the reference, 201 now", both(**OTHER_SPIN), 1,
           both(), command=PAIR + " --allow-change /"),
@@ -177,4 +177,152 @@ OF_SCENARIOS = [
     *told("new has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", both(), 0, command=PAIR + " --all"),
 ]
 
-CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS
+
+ALLOWED = PAIR + " --allow-change /"
+
+
+def other(old=None, **new):
+    """The files of old and new results, of which the scenarios differ."""
+    return both(old, **{"provenance": {"scenario_sha256": OTHER_HASH}, **OTHER_SPIN, **new})
+
+
+BOUNDED = "t_s,drift_axis_rad,drift_axis_bound_rad"
+
+
+def bounded(first=0, second=0, bound=1e-9, later_bound=1e-9):
+    """Rows with a difference in the second and in the third of them."""
+    return {"columns": BOUNDED, "rows": [[0, 0, bound], [1, 1e-6 + first, bound], [2, 1e-5 + second, later_bound]]}
+
+
+def lengths(*places):
+    """Rows whose numbers are scaled."""
+    return lambda factor: [[row[0], *(cell * factor if i in places else cell for i, cell in enumerate(row[1:], 1))] for row in ROWS]
+
+
+COST = {"solution": {"steps_accepted": 100, "steps_rejected": 0, "right_hand_side_evaluations": 900},
+        "certificate": {"steps_accepted": 100, "steps_rejected": 0, "right_hand_side_evaluations": 1100}}
+DEARER = {"solution": {"steps_accepted": 150, "steps_rejected": 50, "right_hand_side_evaluations": 1900},
+          "certificate": COST["certificate"]}
+TABLE = {"$schema": "earthtop-tolerances-1.json", "quantities": {"drift_axis_rad": {"absolute": 4e-6}}}
+TOLD = PAIR + " --tolerances s.json"
+
+
+def by_table(says, change, unless=None, status=1, command=TOLD, files=None, table=TABLE, **more):
+    """A sentence about tolerances of the file s.json."""
+    return Case(command, says, scenario=table, set=change, unless=unless, status=status, files=files or LARGER, **more)
+
+
+LARGER = both(rows=[[0, 0], [1, 1e-6], [2, 5e-6]])  # by 2e-6 in its last row
+OF_CONCLUSIONS = [
+    *told(["All 4 quantities agree to the last bit.", "Not a bit has changed."], both(), 0, LARGER, 1),
+    *told("The only quantity agrees to the last bit.", {"a.csv": csv(DRIFT, ROWS), "b.csv": csv(DRIFT, ROWS)}, 0,
+          command="compare a.csv b.csv"),
+    *told("1 of 4 quantities changed by more than allowed, drift_axis_rad (angle between the two spin axes): "
+          "2e-06 rad at t = 2 s, where nothing is allowed.", LARGER, 1, both(), command=PAIR + " --profile bitwise"),
+    by_table(["All 4 quantities are within their tolerances.", "Nearest to its tolerance is drift_axis_rad",
+              "2e-06 rad at t = 2 s, 0.5 of its tolerance."], {}, {"/quantities/drift_axis_rad/absolute": 1.9e-6}, 0),
+    by_table("changed by more than allowed, drift_axis_rad (angle between the two spin axes): 2e-06 rad at t = 2 s, 4 times its "
+             "tolerance.", {"/quantities/drift_axis_rad/absolute": 5e-7}, {"/quantities/drift_axis_rad/absolute": 2.1e-6}),
+    *told("2e-08 rad at t = 2 s, 0.02 of its tolerance, but 5 times its tolerance in another row",
+          other(bounded(), **bounded(1e-8, 2e-8, later_bound=1e-6)), 1, other(bounded(), **bounded(1e-9, 2e-8, later_bound=1e-6)),
+          command=ALLOWED),
+    *told("2 of 5 quantities changed by more than allowed, most of all drift_tilt_rad (angle of the axis from the vertical, rotating minus prediction): "
+          "2e-07 rad at t = 0 s", both({"columns": DRIFT + ",drift_tilt_rad", "rows": [[0, 1, 1e-6]]}, columns=DRIFT + ",drift_tilt_rad",
+                                       rows=[[0, 1 + 1e-9, 1.2e-6]])),
+    *told('1 quantity differs otherwise than by a number, outcome.status: "completed" in the reference, "stopped" now.',
+          both(outcome={"status": "stopped", "reached_s": 2.0, "rows": 3}), 1, both()),
+    *told(["2 quantities differ otherwise than by a number, the first one outcome.status",
+           "No quantity's number has changed by a bit; what else differs is named below."],
+          both(outcome={"status": "stopped", "reached_s": 2.0, "rows": 3}, drift={"verdict": "noise_floor"})),
+    *told("1 quantity differs otherwise than by a number, drift_axis_rad: different digits at t = 1 s.",
+          both({"rows": [[0, 0], [1, "1.00000000000000000001e-6"]]}, rows=[[0, 0], [1, "1.00000000000000000002e-6"]]), 1,
+          both({"rows": [[0, 0], [1, "1.001e-6"]]}, rows=[[0, 0], [1, "1.002e-6"]]), 1, command=PAIR + " --profile bitwise"),
+    *told("The two cannot be compared: new/top/summary.json: error: does not state its number of rows",
+          {**results("old/top"), **results("new/top", stated="3")}, 2, {**results("old/top"), **results("new/top")}),
+    *told(["3 results: 1 same, 1 differ, 1 refused.", "First b: The two cannot be compared: new/b/summary.json"],
+          {**results("old/a"), **results("old/b"), **results("old/c"), **results("new/a"), **results("new/b", stated="3"),
+           **results("new/c", rows=[[0, 0], [1, 1e-6], [2, 4e-6]])}, 2),
+    *told(["Steps went from 200 to 300, more than 1.4 times. Evaluations went from 2000 to 3000, more than 1.4 times.",
+           "FAILED steps: 300 where the reference has 200, 1.5 times; limit 1.4 times"],
+          both(COST, **DEARER), 1, both(COST, **COST), command=PAIR + " --max-steps-ratio 1.4"),
+    *told("steps: 300 where the reference has 200, 1.5 times", both(COST, **DEARER), 0, both(COST, **COST), command=PAIR + " --all"),
+    *told("cost: a limit was set, but steps are not known for both results", both(COST), 1, both(COST, **COST),
+          command=PAIR + " --max-steps-ratio 1.4"),
+    *told("All numbers that have changed are within both error bounds.",
+          other(bounded(), **bounded(1e-10)), 0, other(bounded(), **bounded(1e-8)), 1, command=ALLOWED),
+]
+
+
+FROM_NED, HALF_ABOUT_X, FROM_X_FORWARD = turn(math.pi, (math.sqrt(0.5), math.sqrt(0.5), 0)), turn(math.pi, X), \
+    turn(-2 * math.pi / 3, [math.sqrt(1 / 3)] * 3)
+QUATERNION = {"time": {"column": "t_s"}, "quaternion": {"columns": ATTITUDE.split(",")[1:]}}
+
+
+def inverse(q):
+    return (q[0], -q[1], -q[2], -q[3])
+
+
+def mixed_up(what, change, mapping=None, columns=ATTITUDE, rows=attitudes):
+    """A file with another convention: the guess names it and, with a mapping that says so, the file is the same."""
+    files = {**results("old", rows(), columns), "new.csv": csv(columns, rows(change)), "m.json": json.dumps(mapping)}
+    guess = re.compile(r"perhaps (attitude|axis)_rad: the new result agrees to (\S+) rad if " + re.escape(what))
+    cases = [Case("compare old new.csv", "if " + what, scenario=None, files=files, status=1,
+                  holds=lambda text: float(guess.search(text).group(2)) < 1e-14)]
+    if mapping:
+        cases.append(Case("compare old new.csv --mapping m.json", "same: new.csv against old", scenario=None, files=files))
+    return cases
+
+
+def scaled(what, factor, columns=DRIFT, rows=ROWS):
+    """A file with another unit."""
+    first = columns.split(",")[1].replace("w_LB_B_x", "rates")
+    changed = [[row[0], *(cell * factor for cell in row[1:])] for row in rows]
+    beside = [[row[0], *(cell * factor * (1 + 2e-4) for cell in row[1:])] for row in rows]  # a ratio that is not known
+    return told(f"{first}: new values are {factor:.6g} times the reference's, as with {what}",
+                both({"columns": columns, "rows": rows}, columns=columns, rows=changed), 1,
+                both({"columns": columns, "rows": rows}, columns=columns, rows=beside), 1)
+
+
+RATE_ROWS = [[0, 1, 2, 200], [1, 2, 1, 200], [2, 2, 2, 200]]
+OF_HINTS = [
+    *mixed_up("its quaternions are taken as world-to-body", inverse,
+              {**QUATERNION, "quaternion": {**QUATERNION["quaternion"], "rotation": "world_to_body"}}),
+    *mixed_up("its quaternions are read with the scalar part last", lambda q: (*q[1:], q[0]),
+              {**QUATERNION, "quaternion": {**QUATERNION["quaternion"], "order": "xyzw"}}),
+    *mixed_up("its world axes are taken as North, East, Down", lambda q: product(inverse(FROM_NED), q), {**QUATERNION, "world_axes": "NED"}),
+    *mixed_up("its world axes are taken as North, East, Down and its body axes 2 and 3 as reversed",
+              lambda q: product(product(inverse(FROM_NED), q), HALF_ABOUT_X),
+              {**QUATERNION, "world_axes": "NED", "body_axes": ["1", "-2", "-3"]}),
+    *mixed_up("its body axes 2 and 3 are taken as reversed", lambda q: product(q, HALF_ABOUT_X),
+              {**QUATERNION, "body_axes": ["1", "-2", "-3"]}),
+    *mixed_up("its body axes are taken as x-forward: x is the spin axis", lambda q: product(q, FROM_X_FORWARD),
+              {**QUATERNION, "body_axes": "x-forward"}),
+    *mixed_up("its world axes are taken as North, East, Down and its quaternions as world-to-body",
+              lambda q: inverse(product(inverse(FROM_NED), q)),
+              {**QUATERNION, "world_axes": "NED", "quaternion": {**QUATERNION["quaternion"], "rotation": "world_to_body"}}),
+    *mixed_up("its axes are taken as North, East, Down", lambda n: (n[1], n[0], -n[2]),
+              {"time": {"column": "t_s"}, "axis": {"columns": AXIS.split(",")[1:]}, "world_axes": "NED"}, AXIS, axes),
+    *mixed_up("its axes are taken as North, West, Up", lambda n: (n[1], -n[0], n[2]),
+              {"time": {"column": "t_s"}, "axis": {"columns": AXIS.split(",")[1:]}, "world_axes": "NWU"}, AXIS, axes),
+    *mixed_up("the axis is reversed", lambda n: [-part for part in n], None, AXIS, axes),
+    *scaled("degrees instead of radians", 180 / math.pi),
+    *scaled("radians instead of degrees", math.pi / 180),
+    *scaled("arcseconds instead of radians", 180 * 3600 / math.pi),
+    *scaled("a unit a thousand times smaller", 1e3),
+    *scaled("a unit a thousand times larger", 1e-3),
+    *scaled("turns instead of radians", 0.5 / math.pi),
+    *scaled("turns per minute instead of radians per second", 30 / math.pi, RATES, RATE_ROWS),
+    *scaled("the opposite sign", -1, RATES, RATE_ROWS),
+    *told("axis_rad: each new row is that of the reference one row later: are the times shifted by a sample?",
+          both({"columns": AXIS, "rows": axes()[:-1]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES, axes()[1:])]), 1,
+          both({"columns": AXIS, "rows": axes()[1:]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES[1:], axes())]), 1),
+    *told("axis_rad: each new row is that of the reference one row before: are the times shifted by a sample?",
+          both({"columns": AXIS, "rows": axes()[1:]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES[1:], axes())]), 1,
+          both({"columns": AXIS, "rows": axes()[:-1]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES, axes()[1:])]), 1),
+    *told("12 quaternions have the opposite sign, which is the same attitude",
+          both({"columns": ATTITUDE, "rows": attitudes()}, columns=ATTITUDE, rows=attitudes(lambda q: [-part for part in q])), 0,
+          both({"columns": ATTITUDE, "rows": attitudes()}, columns=ATTITUDE,
+               rows=attitudes(lambda q: product(q, turn(math.radians(200), Z)))), 1, command=PAIR + " --all"),
+]
+
+CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS
