@@ -219,6 +219,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
     return 0.0;
   };
   const std::string foreign = printable(input::listed(candidate.other_columns()));
+  const std::string_view contents = table_.file.substr(0, table_.file.find('.'));  // their files may have other names
   std::string not_compared;
   for (std::size_t i = 0; i < table_.measures.size(); ++i) {
     const Measure& measure = table_.measures[i];
@@ -232,13 +233,13 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
     } else if (in_reference && !in_candidate && options_.mapping.empty()) {
       result_.findings.push_back(
           {"missing column",
-           fmt::format("{} is missing in the new {}{}", measure.first_column, table_.file,
+           fmt::format("{} is missing in the new {}{}", measure.first_column, contents,
                        foreign.empty()
                            ? ""
                            : fmt::format(", which has {} instead: is it in another unit, or under another name?", foreign))});
     } else if (!in_reference && in_candidate && context_.both_runs) {
       result_.findings.push_back(
-          {"missing column", fmt::format("{} is missing in the {} of the reference", measure.first_column, table_.file)});
+          {"missing column", fmt::format("{} is missing in the {} of the reference", measure.first_column, contents)});
     } else {
       not_compared += (not_compared.empty() ? "" : ", ") + std::string(measure.name);
     }

@@ -45,6 +45,13 @@ expect 1 compare short loose
 on_stdout 'other scenario: /numerics/relative_tolerance'
 grep -q 'has no error bounds' out.txt && fault "a key that differs is taken for a number without bounds"
 says 'is within.*; what else differs is named below\.'
+expect 1 compare short loose --allow-change / --max-steps-ratio 0.1 --junit loose.xml
+grep -q 'name="cost: steps">$' loose.xml || fault "no test case of the steps in loose.xml"
+grep -Eq 'message="[0-9]+ where the reference has [0-9]+, limit 0.1 times"' loose.xml || fault "loose.xml does not say by what the steps fail"
+expect 1 compare runs/toy-top flat --allow-change / --junit flat.xml
+grep -Eq 'name="drift_axis_rad">$' flat.xml || fault "no failure of the drift in flat.xml"
+grep -Eq 'differs by [0-9.e-]+ at t = [0-9.]+ s, tolerance [0-9.e-]+ from .*, first beyond it at t = 0.1 s"' flat.xml ||
+  fault "flat.xml does not say where the drift is beyond its tolerance first"
 
 # Runs of unlike lengths, where that is allowed, are compared up to the end of the shorter one, whichever that is.
 for pair in "runs/toy-top short" "short runs/toy-top"; do

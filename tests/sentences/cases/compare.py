@@ -325,4 +325,103 @@ OF_HINTS = [
                rows=attitudes(lambda q: product(q, turn(math.radians(200), Z)))), 1, command=PAIR + " --all"),
 ]
 
-CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS
+TWO = "t_s,drift_axis_rad,drift_axis_bound_rad,drift_attitude_rad"
+
+
+def two(first=0, second=0):
+    """Rows of a quantity with bounds, and of one without: with differences in their last row."""
+    return {"columns": TWO, "rows": [[0, 0, 1e-9, 0], [1, 1e-6, 1e-9, 1e-6], [2, 1e-5 + first, 1e-9, 1e-5 + second]]}
+
+
+OF_PICTURES = [
+    Case(ALLOWED + " --svg d.svg", ["Differences over time", "new against old", "tolerance", "difference, beyond it"], scenario=None,
+         files=other(bounded(), **bounded(0, 1e-8)), status=1, page="d.svg"),
+    Case(ALLOWED + " --svg d.svg", "Differences over time", scenario=None, files=other(bounded(), **bounded(0, 1e-9)), page="d.svg",
+         holds=lambda text: "difference, beyond it" not in text and "(rad) difference tolerance" in text),
+]
+
+OF_CHANGES = [
+    *told("Something has changed by more than both error bounds.", other(two(), **two(1e-8)), 1, other(two(), **two(1e-9)), command=ALLOWED),
+    *told("All numbers that have changed are within both error bounds.", other(two(), **two(1e-9)), 0, other(two(), **two(1e-9, 1e-18)),
+          command=ALLOWED),
+    *told("Where error bounds are known, what has changed is within them; the rest is within its tolerance.",
+          other(two(), **two(1e-9, 5e-18)), 0, other(two(), **two(1e-9, 2e-17)), 1, command=ALLOWED),
+    *told("What has changed by more than its tolerance has no error bounds.",
+          other(two(), **two(1e-9, 2e-17)), 1, other(two(), **two(1e-9, 5e-18)), command=ALLOWED),
+    *told("Where error bounds are known, what has changed is within them; something without them is beyond its tolerance.",
+          both(two(), **two(1e-9, 1e-14)), 1, both(two(), **two(1e-18, 1e-14)), 1),
+    # A file without error bounds states none: no change in it is above them.
+    *told(["What has changed by more than its tolerance has no error bounds; what else",
+           "missing column: drift_axis_bound_rad is missing in the new trajectory"],
+          {**results("old", **bounded()), "new.csv": csv(DRIFT, [row[:2] for row in bounded(1e-8)["rows"]])}, 1,
+          {**results("old", **bounded()), "new.csv": csv(BOUNDED, bounded(1e-8)["rows"])}, 1, command="compare old new.csv"),
+    *told("There is nothing to compare.", {**results("old/a"), **results("old/b"), **results("new/a")}, 0,
+          {**results("old/a"), **results("old/b"), **results("new/a"), **results("new/b")}, command=PAIR + " --allow-missing --json"),
+    *told("No number could be compared.", {**results("old/a"), **results("new/b")}, 1, {**results("old/a"), **results("new/a")}),
+    *told("FAILED missing result: the new directory has no result of this name",
+          {**results("old/a"), **results("old/b"), **results("new/a")}, 1, {**results("old/a"), **results("new/a")}),
+    *told("note: the new directory has no result of this name", {**results("old/a"), **results("old/b"), **results("new/a")}, 0,
+          command=PAIR + " --allow-missing --all"),
+    *told("FAILED extra result: the reference has no result of this name; --update adds it",
+          {**results("old/a"), **results("new/b"), **results("new/a")}, 1, {**results("old/a"), **results("new/a")}),
+    *told("within both errors both error bounds; largest at t = 1 s", other(bounded(), **bounded(1e-9)), 0, other(bounded(), **bounded(1e-8)), 1,
+          command=ALLOWED + " --all"),
+    *told("above both errors both error bounds; largest at t = 1 s; beyond it from t = 1 s on, 1 times",
+          other(bounded(), **bounded(1e-8)), 1, other(bounded(), **bounded(1e-9)), 0, command=ALLOWED + " --all"),
+]
+
+FINAL = {"drift": {"verdict": "reliable", "axis_final_rad": 1e-6}}
+OF_FIGURES = [
+    *told("drift.axis_final_rad: is missing in the new summary", both(FINAL), 1, both(FINAL, **FINAL)),
+    *told("drift.axis_final_rad: is missing in the reference's summary", both(**FINAL), 1, both(FINAL, **FINAL)),
+    *told("drift.axis_final_rad: not a finite number", both(FINAL, drift={"verdict": "reliable", "axis_final_rad": None}), 1, both(FINAL, **FINAL)),
+]
+
+MAPPING = {"time": {"column": "t_s"}, "quaternion": {"columns": ["q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z"]},
+           "rates": {"columns": ["w_LB_B_x_rad_s", "w_LB_B_y_rad_s", "w_LB_B_z_rad_s"]}, "world_axes": "ENU"}
+FOREIGN = {"old.csv": csv(ATTITUDE + RATES[3:], [[*row, 0, 0, 1] for row in attitudes()])}
+FOREIGN["new.csv"] = FOREIGN["old.csv"]
+MAPPED = "compare old.csv new.csv --mapping s.json"
+
+
+def mapped(says, change, good=None):
+    return refused(says, change, MAPPED, MAPPING, good, FOREIGN)
+
+
+OF_MAPPINGS = [
+    mapped("/quaternion/columns: must be an array of 4 different names", {"/quaternion/columns/3": "q_LB_x"}),
+    mapped('/world_axes: must be "ENU", "NED", "NWU", "y-up", or an array of three of east, west, north, south, up, down, with each '
+           "direction once", {"/world_axes": ["east", "west", "up"]}, ["north", "west", "up"]),
+    mapped('/body_axes: must be "z-spin", "x-forward", or an array of three of 1, -1, 2, -2, 3, -3, with each direction once',
+           {"/body_axes": ["1", "2", "4"]}, ["1", "2", "3"]),
+    mapped("/world_axes: is a left-handed frame; reverse one of its axes", {"/world_axes": ["north", "east", "up"]}, ["north", "east", "down"]),
+    mapped("/separator: must be one character that does not occur in numbers", {"/separator": "."}, ","),
+    Case(MAPPED, "/rates/axes: the rates along body axes cannot be found without a quaternion; give one", scenario=MAPPING,
+         set={"/quaternion": None, "/rates/axes": "world"}, unless={"/rates/axes": "body"}, status=2, files=FOREIGN),
+    Case(MAPPED, "/quaternion: is missing, and so are the rates and the axis, so that there is nothing to compare; give one of them",
+         scenario=MAPPING, set={"/quaternion": None, "/rates": None}, unless={"/rates": MAPPING["rates"]}, status=2, files=FOREIGN),
+    mapped('there is no column "q_w", which s.json names; the columns are t_s, q_LB_w,', {"/quaternion/columns/0": "q_w"}),
+]
+
+
+def by_rule(says, change, unless=None, status=2, table=TABLE):
+    return by_table(says, change, unless or {}, status, files=LARGER, table=table)
+
+
+KNOWN = {"/quantities": {"drift_axis_rad": {"absolute": 4e-6}}}
+OF_TOLERANCES = [
+    by_table("/quantities/drift_axis_rad/absolute: must be a number of at least 0", {"/quantities/drift_axis_rad/absolute": -1e-9},
+             {"/quantities/drift_axis_rad/absolute": 0}, 2),
+    by_table("/quantities: must be an object of quantity names and their tolerances", {"/quantities": 1}, KNOWN, 2),
+    by_table(["/quantities/drift_rad: is not a known quantity; known are attitude_rad, rates_rad_s, axis_rad,",
+              "and the dotted paths of summary.json"], {"/quantities": {"drift_rad": {"absolute": 1}}}, KNOWN, 2),
+    by_table("/quantities/drift_axis_rad: must be an object with absolute, relative or bounds", {"/quantities/drift_axis_rad": 1e-6},
+             KNOWN, 2),
+    by_table("/quantities/drift_axis_rad/abs: unknown key; allowed here: absolute, relative, bounds",
+             {"/quantities/drift_axis_rad/abs": 1}, {"/quantities/drift_axis_rad/abs": None}, 2),
+    by_table("unused tolerance: drift.tip_max_m: no quantity with this name was compared", {"/quantities/drift.tip_max_m": {"absolute": 1}},
+             {"/quantities/drift.tip_max_m": None}, 1),
+    by_table("0.5 x its size 3e-06 (s.json); largest", {"/quantities/drift_axis_rad": {"relative": 0.5}}, KNOWN, 1),
+]
+
+CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS + OF_PICTURES + OF_CHANGES + OF_FIGURES + OF_MAPPINGS + OF_TOLERANCES
