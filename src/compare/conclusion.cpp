@@ -37,6 +37,8 @@ std::string told(const QuantityVerdict& quantity) {
 /// What part of its tolerance a quantity uses where its difference is largest and, where that is another row, at most.
 std::string share_words(const QuantityVerdict& quantity) {
   constexpr double kRounding = 1e-9;
+  if (!quantity.passed && quantity.origin.starts_with("a factor of"))
+    return "not within " + quantity.origin.substr(0, quantity.origin.find(" ("));
   const auto in_words = [](double share) -> std::string {
     if (std::isinf(share)) return "where nothing is allowed";
     return share < 1 ? fmt::format("{:.2g} of its tolerance", share) : fmt::format("{:.3g} times its tolerance", share);

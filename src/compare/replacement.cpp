@@ -99,6 +99,12 @@ bool put_back(std::vector<ReplacedFile>& changes) noexcept {
   return all;
 }
 
+void require_free(const DirectoryLock& lock, const fs::path& directory) {
+  if (lock.is_busy())
+    throw WriteError(directory.string(),
+                     "another process has been writing there for 10 s; wait until it has ended, and update again");
+}
+
 /// @param resumes  some may be in place already   @param made  gets the directories that were not there
 void put_all_in_place(std::vector<ReplacedFile>& changes, const fs::path& root, bool resumes, std::vector<std::string>& made) {
   for (auto from = changes.begin(); from != changes.end();) {
@@ -108,9 +114,7 @@ void put_all_in_place(std::vector<ReplacedFile>& changes, const fs::path& root, 
     make_directories(directory, made);
     std::optional<DirectoryLock> lock;
     if (directory != root) lock.emplace(directory, DirectoryLock::Mode::exclusive);  // the root is locked already
-    if (lock && lock->is_busy())
-      throw WriteError(directory.string(),
-                       "another run has been writing there for 10 s; wait until it has ended, and update again");
+    if (lock) require_free(*lock, directory);
     for (; from != to; ++from) put_in_place(*from, resumes);
     sync_directory(directory);
     if (directory != root) sync_directory(directory.parent_path());
@@ -131,7 +135,7 @@ bool is_below_root(const fs::path& name) {
 
 std::vector<ReplacedFile> read_journal(const fs::path& root, const fs::path& journal) {
   const auto damaged = [&]() {
-    refuse_path(journal, fmt::format("is damaged, and so is the reference; remove {}, and update the reference again",
+    refuse_path(journal, fmt::format("is damaged, so that the reference may be, too; remove {}, and update the reference again",
                                      printable(journal.parent_path().string())));
   };
   constexpr std::size_t kLargest_MiB = 256;
@@ -193,9 +197,7 @@ Replacement::Replacement(fs::path root, const Watch& watch) : root_(std::move(ro
   try {
     make_directories(root_, made_, &temporary_names_);
     lock_.emplace(root_, DirectoryLock::Mode::exclusive, watch_);
-    if (lock_->is_busy())
-      throw WriteError(root_.string(),
-                       "another process has been writing there for 10 s; wait until it has ended, and update again");
+    require_free(*lock_, root_);
     if (is_there(stage_)) {
       require_own(root_);
       resume(root_);

@@ -21,9 +21,11 @@ FileIdentity identity_in(const struct stat& status) {
           status.st_ctim.tv_sec * kSecond + status.st_ctim.tv_nsec};
 }
 
-constexpr const char* kUnderWay = "a run is writing there; wait until it has ended, and repeat the command";
-
 }  // namespace
+
+void refuse_under_way(const fs::path& directory) {
+  refuse_path(directory, "a run is writing there; wait until it has ended, and repeat the command");
+}
 
 FileIdentity identity_of(const fs::path& file) {
   if (input::type_of(file.string()) == input::PathType::nothing) return {};
@@ -66,7 +68,7 @@ FileIdentities read_settled(const fs::path& directory, std::span<const std::stri
   for (int attempt = 1; attempt <= kAttempts; ++attempt) {
     std::optional<DirectoryLock> lock;
     lock.emplace(directory, DirectoryLock::Mode::shared, watch);
-    if (lock->is_busy()) refuse_path(directory, kUnderWay);
+    if (lock->is_busy()) refuse_under_way(directory);
     const Snapshot snapshot(directory, names);
     if (attempt == 1) lock.reset();
     try {
@@ -76,7 +78,7 @@ FileIdentities read_settled(const fs::path& directory, std::span<const std::stri
       if (snapshot.is_current()) throw;
     }
   }
-  refuse_path(directory, kUnderWay);
+  refuse_under_way(directory);
 }
 
 }  // namespace earthtop::compare

@@ -49,6 +49,9 @@ class Snapshot {
   std::vector<File> files_;
 };
 
+/// @throws ScenarioError always: the results there do not stay the same for long enough to be read
+[[noreturn]] void refuse_under_way(const std::filesystem::path& directory);
+
 /// Calls `read` with a snapshot of files until they were the same before and after it. Runs that write to the directory are
 /// waited for. The first call does not hold them up; further ones do.
 /// @returns the identities of the files that were read

@@ -274,7 +274,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
       has_changed = true;
     }
   }
-  if (has_changed) refuse_path(candidate, "runs are writing there; wait until they have ended, and repeat the command");
+  if (has_changed) refuse_under_way(candidate);
   next.commit();
   return written;
 }

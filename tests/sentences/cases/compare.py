@@ -424,4 +424,171 @@ OF_TOLERANCES = [
     by_table("0.5 x its size 3e-06 (s.json); largest", {"/quantities/drift_axis_rad": {"relative": 0.5}}, KNOWN, 1),
 ]
 
-CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS + OF_PICTURES + OF_CHANGES + OF_FIGURES + OF_MAPPINGS + OF_TOLERANCES
+CLOCK = [[t, 1e-6 * t] for t in range(11)]
+
+
+def at(*times):
+    return [[t, 1e-6 * t] for t in times]
+
+
+OF_ROWS = [
+    *told("missing column: drift_axis_rad is missing in the new trajectory, which has drift_axis_deg instead: is it in another unit, or "
+          "under another name?", {**results("old", columns=DRIFT + ",drift_tilt_rad", rows=[[*row, 0] for row in ROWS]),
+                                  "new.csv": csv("t_s,drift_axis_deg,drift_tilt_rad", [[*row, 0] for row in ROWS])}, 1,
+          {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
+    *told("missing column: drift_tilt_rad is missing in the trajectory of the reference",
+          both(columns=DRIFT + ",drift_tilt_rad", rows=[[*row, 0] for row in ROWS]), 1, both()),
+    *told("nothing in common: the two have no quantity in common", {**results("old"), "new.csv": csv("t_s,drift_tilt_rad", ROWS)}, 1,
+          {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
+    *told("drift_axis_rad empty in the new rows alone at t = 1 s", both(rows=[[0, 0], [1, ""], [2, 3e-6]]), 1, both()),
+    *told("drift_axis_rad empty in the reference alone at t = 1 s", both({"rows": [[0, 0], [1, ""], [2, 3e-6]]}), 1, both()),
+    *told("drift_axis_rad not a finite number in the new rows at t = 1 s", both(rows=[[0, 0], [1, "nan"], [2, 3e-6]]), 1, both()),
+    *told("drift_axis_rad not a finite number in the reference at t = 2 s", both({"rows": [[0, 0], [1, 1e-6], [2, "inf"]]}), 1, both()),
+    *told("not finite: 2 times of the reference are not finite numbers", both({"rows": [*ROWS, ["nan", 1], ["inf", 2]]}), 1, both()),
+    *told("not finite: new/trajectory.csv:3: the time is not a finite number", both(rows=[[0, 0], ["nan", 1], [1, 1e-6], [2, 3e-6]]), 1,
+          both()),
+    *told("the time 1 s is not later than that of the row before, 1 s", both(rows=[[0, 0], [1, 1], [1, 1]]), 2, both()),
+    *told("other times: t = 1.5 s is not a time of the reference, though both are results of the same scenario",
+          both(rows=at(0, 1.5, 2)), 1, other(rows=at(0, 1, 2)), 1),
+    *told("extra rows: the new result has rows that the reference of the same scenario lacks", both(rows=[*ROWS, [3, 0]]), 1, both()),
+    *told("note: 2 new rows lie outside the reference's times, 0 to 2 s: not compared", other(rows=[*ROWS, [3, 0], [4, 0]]), 0,
+          other(), command=ALLOWED + " --all"),
+    *told("missing rows: 2 of the reference's 3 rows are missing in the new result, the first one at t = 0 s", both(rows=[[1, 1e-6]]), 1,
+          both()),
+    *told("note: 2 of the reference's 3 rows are missing in the new result, which was allowed", both(rows=[[1, 1e-6]]), 0, both(),
+          command=PAIR + " --all --allow-missing"),
+    # Rows between those of the reference stand for its rows there: only later ones are missing.
+    *told(["5 of the reference's 11 rows are missing in the new result, the first one at t = 6 s",
+           "3 rows lie between the reference's: they are compared with its cubic Hermite interpolation, whose error (for rows twice as "
+           "far apart) is added to the tolerances"],
+          other({"rows": CLOCK}, rows=at(0, 1.25, 2.5, 3.75, 5)), 1, other({"rows": CLOCK}, rows=CLOCK), command=ALLOWED),
+    *told("nothing in common: no row of the new result was compared", other(rows=at(5, 6)), 1, other(), command=ALLOWED),
+    *told("the two have rows at different times, and those of the reference are too far apart for interpolation: the body turns by "
+          "1.2 rad from row to row; give both the same times, run the reference with a shorter motion.output_step_s, or allow more",
+          other({"columns": RATES, "rows": [[t, 0, 0, 1.2] for t in range(9)]}, columns=RATES, rows=[[0, 0, 0, 1.2], [1.5, 0, 0, 1.2]]), 2,
+          other({"columns": RATES, "rows": [[t, 0, 0, 0.9] for t in range(9)]}, columns=RATES, rows=[[0, 0, 0, 0.9], [1.5, 0, 0, 0.9]]), 1,
+          command=ALLOWED),
+    *told("too far apart for interpolation: the error of drift_axis_rad between them may be 6.3e-05, above its tolerance 6.3e-17",
+          other({"rows": [[t, 63e-6 * (t == 8)] for t in range(17)]}, rows=[[0, 0], [1.5, 0]]), 2, other(), command=ALLOWED),
+    *told("The only quantity is within its tolerance. Nearest to its tolerance is drift_axis_rad (angle between the two spin axes): "
+          "1e-18 rad at t = 2 s, 0.33 of its tolerance.",
+          {"a.csv": csv(DRIFT, ROWS), "b.csv": csv(DRIFT, [*ROWS[:2], [2, 3e-6 + 1e-18]])}, 0,
+          {"a.csv": csv(DRIFT, ROWS), "b.csv": csv(DRIFT, ROWS)}, command="compare a.csv b.csv"),
+]
+
+# A bound ten times as large as the reference's is of one size with it; a larger one is not.
+OF_ORIGINS = [
+    *told("FAILED drift_axis_bound_rad 1.01e-08 1e-08 inf a factor of 10; largest at t = 1 s", both(bounded(), columns=BOUNDED, rows=[
+        [0, 0, 1e-9], [1, 1e-6, 1.11e-8], [2, 1e-5, 1e-9]]), 1, both(bounded(), columns=BOUNDED, rows=[
+            [0, 0, 1e-9], [1, 1e-6, 0.99e-8], [2, 1e-5, 1e-9]])),
+    *told("drift_axis_bound_rad (bound on the error of drift_axis_rad): 9.5e-09 rad at t = 1 s, not within a factor of 10.",
+          both(bounded(), columns=BOUNDED, rows=[[0, 0, 1e-9], [1, 1e-6, 1.05e-8], [2, 1e-5, 1e-9]]), 1, both(bounded(), **bounded())),
+    *told("drift_axis_rad 2e-05 1e-05 2 within both errors the largest that error bounds may allow here; largest at t = 2 s",
+          other(bounded(), **bounded(0, 2e-5, 1e-9, 1)), 1, other(bounded(), **bounded(0, 2e-5, 1e-9, 1e-9)), 1, command=ALLOWED),
+    *told("drift_axis_rad 1e-10 2e-11 5 within both errors 0.01 x both error bounds; largest at t = 1 s",
+          both(bounded(), **bounded(1e-10)), 1, other(bounded(), **bounded(1e-10)), 0, command=ALLOWED),
+    *told("rates_rad_s 1 0.2 5 0.001 x the Earth's effect 200; largest at t = 1 s",
+          both({"columns": RATES + ",ref_" + RATES[4:].replace(",", ",ref_"), "rows": [[t, 0, 0, 200, 0, 0, 0] for t in range(3)]},
+               columns=RATES, rows=[[0, 0, 0, 200], [1, 0, 0, 201], [2, 0, 0, 200]]), 1, command=PAIR + " --profile physics"),
+]
+
+REASON = " --update --reason better"
+COMPLETE = {"solution": {}, "motion": {}, "scenario": {}, "drift": {}, "invariants": []}
+STUDY = {"base": "scenarios/toy-top.json", "set": {"/motion/duration_s": 0.1},
+         "axes": [{"pointer": "/release/spin_rad_s", "values": [180, 190, 200]}], "collect": ["drift.axis_final_rad", "drift.verdict"]}
+STORE = {"new/study.sqlite": "any"}
+
+
+def updated(says, files, status=2, without=None, without_status=0, command=PAIR + REASON, **more):
+    return told(says, files, status, without, without_status, command, **more)
+
+
+OF_UPDATES = [
+    *updated("old.json: error: already exists, and is not a reference; choose another place", {**results(), "old.json": '{"a": 1}'},
+             command="compare old.json new" + REASON),
+    *updated("new: error: its run was not completed, so that it cannot become a reference",
+             results(outcome={"status": "stopped", "reached_s": 2.0, "rows": 3})),
+    *updated('new: error: its summary has no "solution"; run the scenario again', results()),
+    *updated("new: error: its trajectory.csv has no q_LB_w; run the scenario again", results(solution={})),
+    *updated("new: error: study.sqlite-wal in it says that its store is in use; wait until that has ended",
+             {**STORE, "new/study.sqlite-wal": ""}, 2, STORE, 2),
+    *updated("old: error: is a file; give a directory", {**STORE, "old": ""}, 2, STORE, 2),
+    *updated("old: error: is a reference of another kind; choose another place", {**STORE, **results("old")}, 2, STORE, 2),
+    *updated("old: error: is a reference of another kind; choose another place", {**results(), "old/study.sqlite": ""}),
+    *updated("shard.sqlite: error: give the study's directory, or its study.sqlite", {"shard.sqlite": ""}, command="compare old shard.sqlite" + REASON),
+    *updated("old: error: is a single reference, but there are several new results; give a directory",
+             {**results("old"), **results("new/a"), **results("new/b")}),
+    *updated("old: error: is the reference itself; give new results", results("old"), command="compare old old" + REASON),
+    *updated("new.csv: error: cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory of such "
+             "directories", {"new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv" + REASON),
+    *updated("a new reference needs a reason; give one with --reason TEXT", results(), command="compare old new --update"),
+    *updated(["old/.earthtop-update/journal: error: is damaged, so that the reference may be, too; remove ",
+              "old/.earthtop-update, and update the reference again"], {**both(), "old/.earthtop-update/journal": "earthtop-update-1\n"}, 2, both(), command=PAIR),
+]
+
+MEASURED = {"m.csv": "t_s,azimuth_rad,azimuth_se_rad\n1,0.1,0.01\n", "there.json": "{}"}
+WITH = "compare s.json m.csv "
+OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --priors, "
+                 "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet")
+
+
+def measured(says, options):
+    """An option that a comparison with a measurement refuses."""
+    return Case(WITH + options, says, scenario="free-gyro", status=2, files=MEASURED)
+
+
+OF_OPTIONS = [
+    *told("--junit and --svg name the same file; give two", both(), 2, command=PAIR + " --junit x --svg x"),
+    measured("--write-scenario and --svg name the same file; give two", "--estimate spin_rad_s --write-scenario x.json --svg x.json"),
+    *told("old.csv is, or is in, one of the inputs; write to another place", {"old.csv": csv(DRIFT, ROWS), "new.csv": csv(DRIFT, ROWS)}, 2,
+          command="compare old.csv new.csv --svg old.csv"),
+    measured("--write-scenario writes estimates into the scenario; name them with --estimate", "--write-scenario x.json"),
+    measured("there.json already exists; give another name, or --force", "--estimate spin_rad_s --write-scenario there.json"),
+    *[measured(OTHER_OPTIONS, option) for option in ("--profile physics", "--tolerances t.json", "--mapping m.json", "--junit j.xml",
+                                                     "--allow-change /", "--max-steps-ratio 2", "--max-seconds-ratio 2",
+                                                     "--allow-missing")],
+    measured("--correlation-time must be above 0 (s); leave it out where errors are independent", "--correlation-time 0"),
+    *[case for option in ("--estimate spin_rad_s", "--set /site/latitude_deg=1") for case in told(
+        "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file", both(), 2,
+        command=f"{PAIR} {option}")],
+    *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors", "--force") for case in told(
+        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a scenario and NEW a "
+        "CSV file", both(), 2, command=f"{PAIR} {option}")],
+    *told("--reason belongs to --update, which writes a new reference", both(), 2, command=PAIR + " --reason better"),
+    *told("--allow-change numerics: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it", both(), 2,
+          command=PAIR + " --allow-change numerics"),
+]
+
+
+def studied(says, other=None, status=1, shard="", options="", unless_same=True, study=STUDY, reverse=False):
+    """What is said of two stores: of the study, and of another one or of a shard."""
+    files = {"a.json": json.dumps(study), "b.json": json.dumps({**study, **(other or {})})}
+    stores = "old/study.sqlite " + ("new/shard-1-of-2.sqlite" if shard else "new/study.sqlite")
+    if reverse:
+        stores = " ".join(reversed(stores.split()))
+    commands = ["study a.json --jobs 1 --quiet --out old", f"study b.json --jobs 1 --quiet --out new {shard}",
+                f"compare {stores} {options}"]
+    cases = [Case(commands, says, scenario=None, files=files, status=status)]
+    if unless_same:
+        cases.append(Case([commands[0], "compare old old " + options], [], scenario=None, files=files,
+                          holds=lambda text: not any(one in text for one in ([says] if isinstance(says, str) else says))))
+    return cases
+
+
+def spins(*values):
+    return {"axes": [{"pointer": "/release/spin_rad_s", "values": list(values)}]}
+
+
+OF_STORES = [
+    *studied("missing rows: 1 points are missing in the new store, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2"),
+    *studied("note: 1 points are missing in the new store, which was allowed", shard="--shard 1/2", options="--allow-missing --all", status=0),
+    *studied("extra rows: 1 points are in the new store alone, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2", reverse=True),
+    *studied("other points: 2 points have different values of the axes, the first one point 1 (spin_rad_s 191)", spins(180, 191, 201),
+             options="--allow-change /"),
+    *studied("now; axes, design, quantities or base differ (--allow-change / allows it)", spins(180, 190, 200, 210)),
+    *studied("now, which was allowed", spins(180, 190, 200, 210), options="--allow-change / --all"),
+    *studied("missing column: drift.verdict is missing in the new store", {"collect": ["drift.axis_final_rad"]},
+             options="--allow-change /"),
+]
+
+CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS + OF_PICTURES + OF_CHANGES + OF_FIGURES + OF_MAPPINGS + OF_TOLERANCES + OF_ROWS + OF_ORIGINS + OF_UPDATES + OF_OPTIONS + OF_STORES
