@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // References that change as a whole, and new results that change while they are read.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
+#include <atomic>
+#include <future>
 #include <map>
+#include <thread>
 
 #include "compare/replacement.hpp"
 #include "compare/snapshot.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/study/run_study.hpp"
 #include "results_copy.hpp"
 #include "text/checksum.hpp"
 
@@ -32,6 +39,36 @@ std::map<std::string, std::string> contents(const fs::path& directory) {
 void put(Replacement& next, const fs::path& name, const std::string& text) {
   next.put(name, [&](const FileSet::Sink& sink) { sink(text); });
 }
+
+/// The message with which something is refused; empty where it is not.
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Expects that a refusal says something.
+void expect_said(const std::function<void()>& action, const std::string& words) {
+  const std::string said = refusal(action);
+  EXPECT_NE(said.find(words), said.npos) << said;
+}
+
+/// Holds a file or directory, as another process does.
+class Holder {
+ public:
+  explicit Holder(const fs::path& path) : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    EXPECT_EQ(::flock(descriptor_, LOCK_EX), 0);
+  }
+  ~Holder() { ::close(descriptor_); }
+  Holder(const Holder&) = delete;
+  Holder& operator=(const Holder&) = delete;
+
+ private:
+  int descriptor_;
+};
 
 class ReplacementTest : public ::testing::Test {
  protected:
@@ -126,6 +163,68 @@ TEST_F(ReplacementTest, AJournalThatIsDamagedOrLeadsElsewhereIsRefused) {
   EXPECT_THROW(compare::finish_update(root_), ScenarioError);
 }
 
+TEST_F(ReplacementTest, WhatCannotBePutBackIsNamed) {
+  leave("undo", entries_);
+  fs::remove(root_ / "a/one");
+  fs::create_directories(root_ / "a/one/in the way");
+  expect_said([&] { compare::finish_update(root_); },
+              root_.string() + ": an update was interrupted and cannot be completed (the old files cannot be put back)");
+  fs::remove_all(root_ / "a/one");
+  EXPECT_EQ(refusal([&] { compare::finish_update(root_); }), "");
+  EXPECT_EQ(read_text(root_ / "a/one"), "old");
+}
+
+TEST_F(ReplacementTest, AnUpdateThatCanNeitherBeMadeNorTakenBackIsLeftToTheNextOne) {
+  write_text(root_ / "z", "old");
+  {
+    Replacement next(root_);
+    for (const char* name : {"a/one", "z/four"}) put(next, name, "new");  // where z is a file
+    fs::create_directories(root_ / compare::kStagingName / "undo");       // so that nothing can be noted there
+    expect_said([&] { next.commit(); }, "could be neither updated nor restored; the next compare there repairs it");
+  }
+  fs::remove_all(root_ / compare::kStagingName / "undo");
+  fs::remove(root_ / "z");
+  compare::finish_update(root_);
+  EXPECT_EQ(read_text(root_ / "a/one"), "new");
+  EXPECT_EQ(read_text(root_ / "z/four"), "new");
+}
+
+TEST_F(ReplacementTest, AnUpdateOfSomebodyElseIsNotCompleted) {
+  leave("journal", entries_);
+  fs::rename(root_ / compare::kStagingName, directory_.path() / "elsewhere");
+  fs::create_directory_symlink(directory_.path() / "elsewhere", root_ / compare::kStagingName);
+  const auto before = contents(directory_.path());
+  expect_said([&] { compare::finish_update(root_); },
+              "belongs to an update that another user began; that user must repeat the command");
+  EXPECT_EQ(contents(directory_.path()), before);
+}
+
+TEST_F(ReplacementTest, WhatReadsBackOtherwiseThanItWasWrittenIsNotTaken) {
+  Replacement next(root_);
+  const auto disturbed = [&](const FileSet::Sink& sink) {
+    sink("new");
+    std::ofstream(next.staged("two"), std::ios::app) << "er";
+  };
+  expect_said([&] { next.put("two", disturbed); }, "is not what was written");
+  EXPECT_EQ(read_text(root_ / "two"), "old");
+}
+
+TEST_F(ReplacementTest, WhoWritesForTooLongIsNotWaitedFor) {
+  leave("journal", entries_);
+  const Holder other(root_);
+  static constexpr std::array<std::string_view, 1> kNames = {"two"};
+  // At the same time, since each of them waits for ten seconds.
+  const auto later = [&](const std::function<void()>& action, const char* words) {
+    return std::async(std::launch::async, [=] { expect_said(action, words); });
+  };
+  const std::future<void> all[] = {
+      later([&] { const Replacement next(root_); },
+            "another process has been writing there for 10 s; wait until it has ended, and update again"),
+      later([&] { compare::finish_update(root_); }, "is being updated; wait until that has ended, and repeat the command"),
+      later([&] { compare::read_settled(root_, kNames, {}, [](const compare::Snapshot&) {}); },
+            "a run is writing there; wait until it has ended, and repeat the command")};
+}
+
 TEST(Snapshot, WhatChangesWhileItIsReadIsReadAgain) {
   const TemporaryDirectory dir;
   const fs::path file = dir.path() / "rows";
@@ -142,12 +241,12 @@ TEST(Snapshot, WhatChangesWhileItIsReadIsReadAgain) {
     throw ScenarioError("", "a mixture");
   });
   EXPECT_EQ(reads, 2);
-  EXPECT_THROW(compare::read_settled(dir.path(), kNames, {},
-                                     [&](const compare::Snapshot&) {
-                                       ++reads;
-                                       change();
-                                     }),
-               ScenarioError);
+  const auto change_always = [&](const compare::Snapshot&) {
+    ++reads;
+    change();
+  };
+  expect_said([&] { compare::read_settled(dir.path(), kNames, {}, change_always); },
+              dir.path().string() + ": error: a run is writing there; wait until it has ended, and repeat the command");
   reads = 0;
   const auto faulty = [&](const compare::Snapshot&) {
     ++reads;
@@ -161,8 +260,41 @@ TEST(Update, ResultsThatLackAFileOfTheirSummaryAreRefused) {
   const TemporaryDirectory dir;
   fs::copy(ShortRun::get().path(), dir.path() / "new");
   fs::remove(dir.path() / "new/drift.svg");
-  EXPECT_THROW(update_reference(dir.path() / "reference", dir.path() / "new", "no"), ScenarioError);
+  expect_said([&] { update_reference(dir.path() / "reference", dir.path() / "new", "no"); },
+              "has no drift.svg, which its summary names; run the scenario again");
   EXPECT_FALSE(fs::exists(dir.path() / "reference"));
+}
+
+TEST(Update, AStudyThatIsBeingWrittenIsRefused) {
+  const TemporaryDirectory dir;
+  const fs::path store = study_store(dir.path() / "new");
+  fs::create_directories(store.parent_path());
+  write_text(store, "any");
+  write_text(store.string() + ".lock", "");
+  const char* words = "a study is writing there; wait until it has ended, and repeat the command";
+  const auto update = [&] { update_reference(dir.path() / "reference", dir.path() / "new", "no"); };
+  {
+    const Holder study(store.string() + ".lock");
+    expect_said(update, words);
+  }
+  EXPECT_EQ(refusal(update).find(words), std::string::npos);
+}
+
+TEST(Update, ResultsThatKeepChangingAreNotCompared) {
+  const TemporaryDirectory dir;
+  fs::copy(ShortRun::get().path(), dir.path() / "new");
+  std::atomic<bool> ends = false;
+  std::thread writer([&] {
+    for (auto time = fs::file_time_type::clock::now(); !ends; time += std::chrono::seconds(1))
+      fs::last_write_time(dir.path() / "new/summary.json", time);
+  });
+  std::string said;
+  for (int i = 0; i < 1000 && said.empty(); ++i)  // where the writer rests for too long, nothing is said
+    said = refusal([&] { compare_results(ShortRun::get().path(), dir.path() / "new", {}); });
+  ends = true;
+  writer.join();
+  EXPECT_NE(said.find("keeps being rewritten; wait until that has ended, and compare again"), said.npos) << said;
+  EXPECT_TRUE(compare_results(ShortRun::get().path(), dir.path() / "new", {}).passed());
 }
 
 TEST(Update, SeveralReferencesChangeTogether) {
