@@ -34,7 +34,7 @@ std::string told(const QuantityVerdict& quantity) {
   return text;
 }
 
-/// What part of its tolerance a quantity uses where its difference is largest and, where that is another row, at most.
+/// What part of its tolerance a quantity uses where its difference is largest and, where that is more, elsewhere.
 std::string share_words(const QuantityVerdict& quantity) {
   constexpr double kRounding = 1e-9;
   if (!quantity.passed && quantity.origin.starts_with("a factor of"))
@@ -46,7 +46,7 @@ std::string share_words(const QuantityVerdict& quantity) {
   const double here =
       quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
   const bool is_elsewhere = quantity.share > here * (1 + kRounding);
-  return in_words(here) + (is_elsewhere ? fmt::format(", but {} in another row", in_words(quantity.share)) : "");
+  return in_words(here) + (is_elsewhere ? fmt::format(", but {} elsewhere", in_words(quantity.share)) : "");
 }
 
 /// What differs, or how near the two are to that.

@@ -10,6 +10,7 @@
 #include "compare/results_copy.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "study/store.hpp"
 
 namespace earthtop {
 namespace {
@@ -306,6 +307,20 @@ TEST(Studies, ArePairedByPoint) {
   update_reference(a, c, "another tilt");
   EXPECT_TRUE(compare_results(a, c, {}).passed());
   EXPECT_TRUE(fs::exists(a / "reference.json"));
+
+  // A version that reads the same study otherwise makes other scenarios of it.
+  study::Store old = study::Store::open(study_store(b), study::sqlite::Connection::Mode::read);
+  study::Store other_version = study::Store::create(dir.path() / "other.sqlite", old.study(), old.shard());
+  other_version.begin();
+  old.for_each([&](study::PointResult point) {
+    if (point.number > 3) point.scenario_sha256 = std::string(64, 'f');
+    other_version.insert(point);
+  });
+  other_version.commit();
+  other_version.finish();
+  const PairReport otherwise = compare_results(study_store(b), dir.path() / "other.sqlite", {}).pairs.at(0);
+  ASSERT_EQ(otherwise.findings.size(), 1u);
+  EXPECT_EQ(otherwise.findings[0].text, "2 points are of different scenarios, the first one point 4 (latitude_deg 30, tilt_deg 10)");
 }
 
 }  // namespace
