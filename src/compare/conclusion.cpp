@@ -125,7 +125,7 @@ std::string conclusion_of(const PairReport& pair) {
 }
 
 std::string changes_of(const CompareReport& report) {
-  bool compared = false, moved = false, above = false, within_failed = false, unknown = false, unknown_failed = false,
+  bool compared = false, moved = false, above = false, within = false, within_failed = false, unknown = false, unknown_failed = false,
        other = false;
   for (const PairReport& pair : report.pairs) {
     other = other || !pair.refusal.empty() || !pair.findings.empty() ||
@@ -137,6 +137,7 @@ std::string changes_of(const CompareReport& report) {
       if (quantity.change == Change::none || is_no_number) continue;
       moved = true;
       above = above || quantity.change == Change::above_errors;
+      within = within || quantity.change == Change::within_errors;
       within_failed = within_failed || (quantity.change == Change::within_errors && !quantity.passed);
       unknown = unknown || quantity.change == Change::unknown;
       unknown_failed = unknown_failed || (quantity.change == Change::unknown && !quantity.passed);
@@ -151,6 +152,8 @@ std::string changes_of(const CompareReport& report) {
     text = "something has changed by more than both error bounds";
   else if (!unknown)
     text = "all numbers that have changed are within both error bounds";
+  else if (!unknown_failed && !within)
+    text = "what has changed has no error bounds, and is within its tolerance";
   else if (!unknown_failed)
     text = "where error bounds are known, what has changed is within them; the rest is within its tolerance";
   else if (!within_failed)

@@ -280,6 +280,23 @@ TEST(Update, AStudyThatIsBeingWrittenIsRefused) {
   EXPECT_EQ(refusal(update).find(words), std::string::npos);
 }
 
+TEST(Update, AReferenceThatChangesMeanwhileIsNotOverwritten) {
+  const TemporaryDirectory dir;
+  const fs::path reference = dir.path() / "references/top.json";
+  update_reference(reference, ShortRun::get().path(), "one");
+  std::string said;
+  for (std::chrono::milliseconds wait(100); said.empty() && wait < std::chrono::seconds(8); wait *= 2) {
+    auto other = std::make_unique<Holder>(reference.parent_path());  // which the update waits for before it writes
+    auto update = std::async(std::launch::async,
+                             [&] { return refusal([&] { update_reference(reference, ShortRun::get().path(), "two"); }); });
+    std::this_thread::sleep_for(wait);
+    write_text(reference, read_text(reference));
+    other.reset();
+    said = update.get();
+  }
+  EXPECT_EQ(said, reference.string() + ": error: has been changed in the meantime; repeat the command");
+}
+
 TEST(Update, ResultsThatKeepChangingAreNotCompared) {
   const TemporaryDirectory dir;
   fs::copy(ShortRun::get().path(), dir.path() / "new");

@@ -48,7 +48,7 @@ std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
                                  change_words(quantity.change), short_origin(quantity.origin));
   if (!quantity.where.empty() && quantity.largest > 0) line += "; largest at " + quantity.where;
   if (!quantity.first_violation.empty())
-    line += fmt::format("; beyond it from {} on, {} times", quantity.first_violation, quantity.violations);
+    line += fmt::format("; beyond it {} times, first at {}", quantity.violations, quantity.first_violation);
   return shown(line) + '\n';
 }
 

@@ -109,6 +109,12 @@ OF_REFERENCES = [
 ]
 
 OF_PATHS = [
+    *told("ref.json: error: is damaged: its contents are not what was written",
+          {**results(), "ref.json": json.dumps({**reference(), "checksum": "0123456789abcdef"}, indent=2) + "\n"}, 2,
+          {**results(), "ref.json": json.dumps(reference(), indent=2) + "\n"}, command="compare ref.json new"),
+    *told("new.csv:1:1: error: the header has none of the columns of trajectory.csv, or no t_s; if another program wrote the file, say with "
+          "--mapping what its columns mean", {**results("old"), "new.csv": csv("t_s,x", ROWS)}, 2,
+          {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
     *told("does not state its number of rows (/outcome/rows), a whole number", both(stated=2.5), 2, both()),
     *told("timing.json: error: is damaged: run the scenario again",
           both(timing={"solution_s": 1.0, "checksum": "0123456789abcdef"}), 2, both(timing={"solution_s": 1.0})),
@@ -346,6 +352,8 @@ OF_CHANGES = [
           command=ALLOWED),
     *told("Where error bounds are known, what has changed is within them; the rest is within its tolerance.",
           other(two(), **two(1e-9, 5e-18)), 0, other(two(), **two(1e-9, 2e-17)), 1, command=ALLOWED),
+    *told("What has changed has no error bounds, and is within its tolerance.",
+          other(two(), **two(0, 5e-18)), 0, other(two(), **two(1e-9, 5e-18)), command=ALLOWED),
     *told("What has changed by more than its tolerance has no error bounds.",
           other(two(), **two(1e-9, 2e-17)), 1, other(two(), **two(1e-9, 5e-18)), command=ALLOWED),
     *told("Where error bounds are known, what has changed is within them; something without them is beyond its tolerance.",
@@ -366,7 +374,7 @@ OF_CHANGES = [
           {**results("old/a"), **results("new/b"), **results("new/a")}, 1, {**results("old/a"), **results("new/a")}),
     *told("within both errors both error bounds; largest at t = 1 s", other(bounded(), **bounded(1e-9)), 0, other(bounded(), **bounded(1e-8)), 1,
           command=ALLOWED + " --all"),
-    *told("above both errors both error bounds; largest at t = 1 s; beyond it from t = 1 s on, 1 times",
+    *told("above both errors both error bounds; largest at t = 1 s; beyond it 1 times, first at t = 1 s",
           other(bounded(), **bounded(1e-8)), 1, other(bounded(), **bounded(1e-9)), 0, command=ALLOWED + " --all"),
 ]
 
@@ -522,6 +530,9 @@ OF_UPDATES = [
     *updated("new.csv: error: cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory of such "
              "directories", {"new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv" + REASON),
     *updated("a new reference needs a reason; give one with --reason TEXT", results(), command="compare old new --update"),
+    Case(["study a.json --jobs 1 --quiet --out new", PAIR + REASON],
+         "old/study.csv: error: is a directory, where a file of the reference belongs; move it away", scenario=None, status=2,
+         files={"a.json": json.dumps(STUDY), "old/study.csv/any": ""}),
     *updated(["old/.earthtop-update/journal: error: is damaged, so that the reference may be, too; remove ",
               "old/.earthtop-update, and update the reference again"], {**both(), "old/.earthtop-update/journal": "earthtop-update-1\n"}, 2, both(), command=PAIR),
 ]
@@ -585,8 +596,8 @@ OF_STORES = [
          ["nothing in common: no point of the new store was compared", "missing rows: 2 points are missing in the new store, the first one point 0",
           "extra rows: 1 points are in the new store alone, the first one point 1"], scenario=None,
          files={"a.json": json.dumps(STUDY)}, status=1),
-    *studied('drift.verdict "reliable" in the reference,', {"set": {"/motion/duration_s": 0.1, "/earth/rotation_rate_rad_s": 1e-18}},
-             options="--allow-change /"),
+    *studied('top.nutation_kind "of_release" in the reference, "small_amplitude" now', {"base": "scenarios/steady-precession-slow.json"},
+             options="--allow-change /", study={**STUDY, "collect": ["top.nutation_kind"]}),
     *studied("missing rows: 1 points are missing in the new store, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2"),
     *studied("note: 1 points are missing in the new store, which was allowed", shard="--shard 1/2", options="--allow-missing --all", status=0),
     *studied("extra rows: 1 points are in the new store alone, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2", reverse=True),
