@@ -70,7 +70,8 @@ void compare_scenarios(const Comparand& reference, const Comparand& candidate, c
     report.findings.push_back(
         {"other scenario",
          old_name != new_name
-             ? fmt::format("the name is \"{}\" in the reference, \"{}\" now (--allow-change /name allows it)", old_name, new_name)
+             ? fmt::format("the name is \"{}\" in the reference, \"{}\" now (--allow-change /name allows it)", old_name,
+                           new_name)
              : fmt::format("scenario hash {:.12} in the reference, {:.12} now, though no key differs: an older version made "
                            "one of them (--allow-change / allows it)",
                            before, now)});

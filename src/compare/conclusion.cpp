@@ -43,8 +43,7 @@ std::string share_words(const QuantityVerdict& quantity) {
     if (std::isinf(share)) return "where nothing is allowed";
     return share < 1 ? fmt::format("{:.2g} of its tolerance", share) : fmt::format("{:.3g} times its tolerance", share);
   };
-  const double here =
-      quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
+  const double here = quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
   const bool is_elsewhere = quantity.share > here * (1 + kRounding);
   return in_words(here) + (is_elsewhere ? fmt::format(", but {} elsewhere", in_words(quantity.share)) : "");
 }
@@ -125,8 +124,8 @@ std::string conclusion_of(const PairReport& pair) {
 }
 
 std::string changes_of(const CompareReport& report) {
-  bool compared = false, moved = false, above = false, within = false, within_failed = false, unknown = false, unknown_failed = false,
-       other = false;
+  bool compared = false, moved = false, above = false, within = false, within_failed = false, unknown = false,
+       unknown_failed = false, other = false;
   for (const PairReport& pair : report.pairs) {
     other = other || !pair.refusal.empty() || !pair.findings.empty() ||
             std::any_of(pair.cost.begin(), pair.cost.end(), [](const CostRatio& ratio) { return !ratio.passed(); });

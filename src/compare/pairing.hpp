@@ -57,9 +57,9 @@ struct PairedRow {
 struct PairingCounts {
   std::uint64_t missing_inside = 0;   ///< rows of the reference inside the candidate's times that have no partner
   std::uint64_t missing_outside = 0;  ///< rows of the reference before the candidate's first row or after its last one
-  double first_missing_s = 0;          ///< the first of them all
-  double first_outside_s = 0;          ///< the first of those outside
-  std::uint64_t beyond = 0;  ///< rows of the candidate outside the reference's times
+  double first_missing_s = 0;         ///< the first of them all
+  double first_outside_s = 0;         ///< the first of those outside
+  std::uint64_t beyond = 0;           ///< rows of the candidate outside the reference's times
 };
 
 class Pairing {

@@ -320,7 +320,8 @@ TEST(Studies, ArePairedByPoint) {
   other_version.finish();
   const PairReport otherwise = compare_results(study_store(b), dir.path() / "other.sqlite", {}).pairs.at(0);
   ASSERT_EQ(otherwise.findings.size(), 1u);
-  EXPECT_EQ(otherwise.findings[0].text, "2 points are of different scenarios, the first one point 4 (latitude_deg 30, tilt_deg 10)");
+  EXPECT_EQ(otherwise.findings[0].text,
+            "2 points are of different scenarios, the first one point 4 (latitude_deg 30, tilt_deg 10)");
 }
 
 }  // namespace
