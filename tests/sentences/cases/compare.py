@@ -112,7 +112,8 @@ OF_PATHS = [
     *told("ref.json: error: is damaged: its contents are not what was written",
           {**results(), "ref.json": json.dumps({**reference(), "checksum": "0123456789abcdef"}, indent=2) + "\n"}, 2,
           {**results(), "ref.json": json.dumps(reference(), indent=2) + "\n"}, command="compare ref.json new"),
-    *told("new.csv:1:1: error: the header has none of the columns of trajectory.csv, or no t_s; if another program wrote the file, say with "
+    *told("new.csv:1:1: error: the header has none of the columns of trajectory.csv, or no t_s; if another program wrote the "
+          "file, say with "
           "--mapping what its columns mean", {**results("old"), "new.csv": csv("t_s,x", ROWS)}, 2,
           {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
     *told("does not state its number of rows (/outcome/rows), a whole number", both(stated=2.5), 2, both()),
@@ -164,14 +165,17 @@ OF_SCENARIOS = [
           both(title="any", provenance={"scenario_sha256": OTHER_HASH}), 1),
     *told("same: new against old", both(name="gyro", provenance={"scenario_sha256": OTHER_HASH}), 0,
           command=PAIR + " --allow-change /name"),
-    *told("scenario hash aaaaaaaaaaaa in the reference, bbbbbbbbbbbb now, though no key differs: an older version made one of them",
+    *told("scenario hash aaaaaaaaaaaa in the reference, bbbbbbbbbbbb now, though no key differs: an older version made one of "
+          "them",
           both(provenance={"scenario_sha256": OTHER_HASH}), 1, both(provenance={"scenario_sha256": OTHER_HASH}, **OTHER_SPIN), 1),
     *told("note: --allow-change /x: neither scenario has such a key", both(), 0, command=PAIR + " --all --allow-change /x"),
     *told("trusted until t = 1 s in the reference, to the end now", both(old={"drift": UNSTABLE}), 1,
           both(old={"drift": UNSTABLE}, drift=UNSTABLE)),
-    *told("1 rows after t = 1 s were not compared, since a verdict does not trust them", both(old={"drift": UNSTABLE}, drift=UNSTABLE),
+    *told("1 rows after t = 1 s were not compared, since a verdict does not trust them", both(old={"drift": UNSTABLE},
+                                                                                              drift=UNSTABLE),
           0, both(), command=PAIR + " --all"),
-    *told("torques.csv is missing in the new result", both(old={"torques": TORQUES}), 1, both(old={"torques": TORQUES}, torques=TORQUES)),
+    *told("torques.csv is missing in the new result", both(old={"torques": TORQUES}), 1, both(old={"torques": TORQUES},
+                                                                                              torques=TORQUES)),
     *told("torques.csv is missing in the reference", both(torques=TORQUES), 1, both(old={"torques": TORQUES}, torques=TORQUES)),
     *told("is a partial result: its run was interrupted before it had error bounds and a verdict",
           both(outcome={"status": "interrupted", "reached_s": 2, "rows": 3}), 2, both()),
@@ -180,7 +184,8 @@ OF_SCENARIOS = [
                provenance={"scenario_sha256": OTHER_HASH}), 0, both(), command=PAIR + " --all --allow-change /"),
     *told("not compared: largest values, swings and turns seen, since one of the results is of an older version",
           both(), 0, both(old={"drift": {"axis_max_at_s": None}}, drift={"axis_max_at_s": None}), command=PAIR + " --all"),
-    *told("new has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", both(), 0, command=PAIR + " --all"),
+    *told("new has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", both(), 0,
+          command=PAIR + " --all"),
 ]
 
 
@@ -198,11 +203,6 @@ BOUNDED = "t_s,drift_axis_rad,drift_axis_bound_rad"
 def bounded(first=0, second=0, bound=1e-9, later_bound=1e-9):
     """Rows with a difference in the second and in the third of them."""
     return {"columns": BOUNDED, "rows": [[0, 0, bound], [1, 1e-6 + first, bound], [2, 1e-5 + second, later_bound]]}
-
-
-def lengths(*places):
-    """Rows whose numbers are scaled."""
-    return lambda factor: [[row[0], *(cell * factor if i in places else cell for i, cell in enumerate(row[1:], 1))] for row in ROWS]
 
 
 COST = {"solution": {"steps_accepted": 100, "steps_rejected": 0, "right_hand_side_evaluations": 900},
@@ -232,8 +232,10 @@ OF_CONCLUSIONS = [
     *told("2e-08 rad at t = 2 s, 0.02 of its tolerance, but 5 times its tolerance elsewhere",
           other(bounded(), **bounded(1e-8, 2e-8, later_bound=1e-6)), 1, other(bounded(), **bounded(1e-9, 2e-8, later_bound=1e-6)),
           command=ALLOWED),
-    *told("2 of 5 quantities changed by more than allowed, most of all drift_tilt_rad (angle of the axis from the vertical, rotating minus prediction): "
-          "2e-07 rad at t = 0 s", both({"columns": DRIFT + ",drift_tilt_rad", "rows": [[0, 1, 1e-6]]}, columns=DRIFT + ",drift_tilt_rad",
+    *told("2 of 5 quantities changed by more than allowed, most of all drift_tilt_rad (angle of the axis from the vertical, "
+          "rotating minus prediction): "
+          "2e-07 rad at t = 0 s", both({"columns": DRIFT + ",drift_tilt_rad", "rows": [[0, 1, 1e-6]]},
+                                       columns=DRIFT + ",drift_tilt_rad",
                                        rows=[[0, 1 + 1e-9, 1.2e-6]])),
     *told('1 quantity differs otherwise than by a number, outcome.status: "completed" in the reference, "stopped" now.',
           both(outcome={"status": "stopped", "reached_s": 2.0, "rows": 3}), 1, both()),
@@ -251,7 +253,8 @@ OF_CONCLUSIONS = [
     *told(["Steps went from 200 to 300, more than 1.4 times. Evaluations went from 2000 to 3000, more than 1.4 times.",
            "FAILED steps: 300 where the reference has 200, 1.5 times; limit 1.4 times"],
           both(COST, **DEARER), 1, both(COST, **COST), command=PAIR + " --max-steps-ratio 1.4"),
-    *told("steps: 300 where the reference has 200, 1.5 times", both(COST, **DEARER), 0, both(COST, **COST), command=PAIR + " --all"),
+    *told("steps: 300 where the reference has 200, 1.5 times", both(COST, **DEARER), 0, both(COST, **COST),
+          command=PAIR + " --all"),
     *told("cost: a limit was set, but steps are not known for both results", both(COST), 1, both(COST, **COST),
           command=PAIR + " --max-steps-ratio 1.4"),
     *told("All numbers that have changed are within both error bounds.",
@@ -295,7 +298,8 @@ OF_HINTS = [
               {**QUATERNION, "quaternion": {**QUATERNION["quaternion"], "rotation": "world_to_body"}}),
     *mixed_up("its quaternions are read with the scalar part last", lambda q: (*q[1:], q[0]),
               {**QUATERNION, "quaternion": {**QUATERNION["quaternion"], "order": "xyzw"}}),
-    *mixed_up("its world axes are taken as North, East, Down", lambda q: product(inverse(FROM_NED), q), {**QUATERNION, "world_axes": "NED"}),
+    *mixed_up("its world axes are taken as North, East, Down", lambda q: product(inverse(FROM_NED), q),
+              {**QUATERNION, "world_axes": "NED"}),
     *mixed_up("its world axes are taken as North, East, Down and its body axes 2 and 3 as reversed",
               lambda q: product(product(inverse(FROM_NED), q), HALF_ABOUT_X),
               {**QUATERNION, "world_axes": "NED", "body_axes": ["1", "-2", "-3"]}),
@@ -340,15 +344,19 @@ def two(first=0, second=0):
 
 
 OF_PICTURES = [
-    Case(ALLOWED + " --svg d.svg", ["Differences over time", "new against old", "tolerance", "difference, beyond it"], scenario=None,
+    Case(ALLOWED + " --svg d.svg", ["Differences over time", "new against old", "tolerance", "difference, beyond it"],
+         scenario=None,
          files=other(bounded(), **bounded(0, 1e-8)), status=1, page="d.svg"),
-    Case(ALLOWED + " --svg d.svg", "Differences over time", scenario=None, files=other(bounded(), **bounded(0, 1e-9)), page="d.svg",
+    Case(ALLOWED + " --svg d.svg", "Differences over time", scenario=None, files=other(bounded(), **bounded(0, 1e-9)),
+         page="d.svg",
          holds=lambda text: "difference, beyond it" not in text and "(rad) difference tolerance" in text),
 ]
 
 OF_CHANGES = [
-    *told("Something has changed by more than both error bounds.", other(two(), **two(1e-8)), 1, other(two(), **two(1e-9)), command=ALLOWED),
-    *told("All numbers that have changed are within both error bounds.", other(two(), **two(1e-9)), 0, other(two(), **two(1e-9, 1e-18)),
+    *told("Something has changed by more than both error bounds.", other(two(), **two(1e-8)), 1, other(two(), **two(1e-9)),
+          command=ALLOWED),
+    *told("All numbers that have changed are within both error bounds.", other(two(), **two(1e-9)), 0,
+          other(two(), **two(1e-9, 1e-18)),
           command=ALLOWED),
     *told("Where error bounds are known, what has changed is within them; the rest is within its tolerance.",
           other(two(), **two(1e-9, 5e-18)), 0, other(two(), **two(1e-9, 2e-17)), 1, command=ALLOWED),
@@ -364,7 +372,8 @@ OF_CHANGES = [
           {**results("old", **bounded()), "new.csv": csv(DRIFT, [row[:2] for row in bounded(1e-8)["rows"]])}, 1,
           {**results("old", **bounded()), "new.csv": csv(BOUNDED, bounded(1e-8)["rows"])}, 1, command="compare old new.csv"),
     *told("There is nothing to compare.", {**results("old/a"), **results("old/b"), **results("new/a")}, 0,
-          {**results("old/a"), **results("old/b"), **results("new/a"), **results("new/b")}, command=PAIR + " --allow-missing --json"),
+          {**results("old/a"), **results("old/b"), **results("new/a"), **results("new/b")},
+          command=PAIR + " --allow-missing --json"),
     *told("No number could be compared.", {**results("old/a"), **results("new/b")}, 1, {**results("old/a"), **results("new/a")}),
     *told("FAILED missing result: the new directory has no result of this name",
           {**results("old/a"), **results("old/b"), **results("new/a")}, 1, {**results("old/a"), **results("new/a")}),
@@ -372,7 +381,8 @@ OF_CHANGES = [
           command=PAIR + " --allow-missing --all"),
     *told("FAILED extra result: the reference has no result of this name; --update adds it",
           {**results("old/a"), **results("new/b"), **results("new/a")}, 1, {**results("old/a"), **results("new/a")}),
-    *told("within both errors both error bounds; largest at t = 1 s", other(bounded(), **bounded(1e-9)), 0, other(bounded(), **bounded(1e-8)), 1,
+    *told("within both errors both error bounds; largest at t = 1 s", other(bounded(), **bounded(1e-9)), 0,
+          other(bounded(), **bounded(1e-8)), 1,
           command=ALLOWED + " --all"),
     *told("above both errors both error bounds; largest at t = 1 s; beyond it 1 times, first at t = 1 s",
           other(bounded(), **bounded(1e-8)), 1, other(bounded(), **bounded(1e-9)), 0, command=ALLOWED + " --all"),
@@ -382,7 +392,8 @@ FINAL = {"drift": {"verdict": "reliable", "axis_final_rad": 1e-6}}
 OF_FIGURES = [
     *told("drift.axis_final_rad: is missing in the new summary", both(FINAL), 1, both(FINAL, **FINAL)),
     *told("drift.axis_final_rad: is missing in the reference's summary", both(**FINAL), 1, both(FINAL, **FINAL)),
-    *told("drift.axis_final_rad: not a finite number", both(FINAL, drift={"verdict": "reliable", "axis_final_rad": None}), 1, both(FINAL, **FINAL)),
+    *told("drift.axis_final_rad: not a finite number", both(FINAL, drift={"verdict": "reliable", "axis_final_rad": None}), 1,
+          both(FINAL, **FINAL)),
 ]
 
 MAPPING = {"time": {"column": "t_s"}, "quaternion": {"columns": ["q_LB_w", "q_LB_x", "q_LB_y", "q_LB_z"]},
@@ -398,36 +409,39 @@ def mapped(says, change, good=None):
 
 OF_MAPPINGS = [
     mapped("/quaternion/columns: must be an array of 4 different names", {"/quaternion/columns/3": "q_LB_x"}),
-    mapped('/world_axes: must be "ENU", "NED", "NWU", "y-up", or an array of three of east, west, north, south, up, down, with each '
+    mapped('/world_axes: must be "ENU", "NED", "NWU", "y-up", or an array of three of east, west, north, south, up, down, with '
+           'each '
            "direction once", {"/world_axes": ["east", "west", "up"]}, ["north", "west", "up"]),
     mapped('/body_axes: must be "z-spin", "x-forward", or an array of three of 1, -1, 2, -2, 3, -3, with each direction once',
            {"/body_axes": ["1", "2", "4"]}, ["1", "2", "3"]),
-    mapped("/world_axes: is a left-handed frame; reverse one of its axes", {"/world_axes": ["north", "east", "up"]}, ["north", "east", "down"]),
+    mapped("/world_axes: is a left-handed frame; reverse one of its axes", {"/world_axes": ["north", "east", "up"]},
+           ["north", "east", "down"]),
     mapped("/separator: must be one character that does not occur in numbers", {"/separator": "."}, ","),
     Case(MAPPED, "/rates/axes: the rates along body axes cannot be found without a quaternion; give one", scenario=MAPPING,
          set={"/quaternion": None, "/rates/axes": "world"}, unless={"/rates/axes": "body"}, status=2, files=FOREIGN),
-    Case(MAPPED, "/quaternion: is missing, and so are the rates and the axis, so that there is nothing to compare; give one of them",
-         scenario=MAPPING, set={"/quaternion": None, "/rates": None}, unless={"/rates": MAPPING["rates"]}, status=2, files=FOREIGN),
+    Case(MAPPED, "/quaternion: is missing, and so are the rates and the axis, so that there is nothing to compare; give one of "
+                 "them",
+         scenario=MAPPING, set={"/quaternion": None, "/rates": None}, unless={"/rates": MAPPING["rates"]}, status=2,
+         files=FOREIGN),
     mapped('there is no column "q_w", which s.json names; the columns are t_s, q_LB_w,', {"/quaternion/columns/0": "q_w"}),
 ]
 
 
-def by_rule(says, change, unless=None, status=2, table=TABLE):
-    return by_table(says, change, unless or {}, status, files=LARGER, table=table)
-
-
 KNOWN = {"/quantities": {"drift_axis_rad": {"absolute": 4e-6}}}
 OF_TOLERANCES = [
-    by_table("/quantities/drift_axis_rad/absolute: must be a number of at least 0", {"/quantities/drift_axis_rad/absolute": -1e-9},
+    by_table("/quantities/drift_axis_rad/absolute: must be a number of at least 0",
+             {"/quantities/drift_axis_rad/absolute": -1e-9},
              {"/quantities/drift_axis_rad/absolute": 0}, 2),
     by_table("/quantities: must be an object of quantity names and their tolerances", {"/quantities": 1}, KNOWN, 2),
     by_table(["/quantities/drift_rad: is not a known quantity; known are attitude_rad, rates_rad_s, axis_rad,",
               "and the dotted paths of summary.json"], {"/quantities": {"drift_rad": {"absolute": 1}}}, KNOWN, 2),
-    by_table("/quantities/drift_axis_rad: must be an object with absolute, relative or bounds", {"/quantities/drift_axis_rad": 1e-6},
+    by_table("/quantities/drift_axis_rad: must be an object with absolute, relative or bounds",
+             {"/quantities/drift_axis_rad": 1e-6},
              KNOWN, 2),
     by_table("/quantities/drift_axis_rad/abs: unknown key; allowed here: absolute, relative, bounds",
              {"/quantities/drift_axis_rad/abs": 1}, {"/quantities/drift_axis_rad/abs": None}, 2),
-    by_table("unused tolerance: drift.tip_max_m: no quantity with this name was compared", {"/quantities/drift.tip_max_m": {"absolute": 1}},
+    by_table("unused tolerance: drift.tip_max_m: no quantity with this name was compared",
+             {"/quantities/drift.tip_max_m": {"absolute": 1}},
              {"/quantities/drift.tip_max_m": None}, 1),
     by_table("0.5 x its size 3e-06 (s.json); largest", {"/quantities/drift_axis_rad": {"relative": 0.5}}, KNOWN, 1),
 ]
@@ -440,45 +454,58 @@ def at(*times):
 
 
 OF_ROWS = [
-    *told("missing column: drift_axis_rad is missing in the new trajectory, which has drift_axis_deg instead: is it in another unit, or "
+    *told("missing column: drift_axis_rad is missing in the new trajectory, which has drift_axis_deg instead: is it in another "
+          "unit, or "
           "under another name?", {**results("old", columns=DRIFT + ",drift_tilt_rad", rows=[[*row, 0] for row in ROWS]),
                                   "new.csv": csv("t_s,drift_axis_deg,drift_tilt_rad", [[*row, 0] for row in ROWS])}, 1,
           {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
     *told("missing column: drift_tilt_rad is missing in the trajectory of the reference",
           both(columns=DRIFT + ",drift_tilt_rad", rows=[[*row, 0] for row in ROWS]), 1, both()),
-    *told("nothing in common: the two have no quantity in common", {**results("old"), "new.csv": csv("t_s,drift_tilt_rad", ROWS)}, 1,
+    *told("nothing in common: the two have no quantity in common",
+          {**results("old"), "new.csv": csv("t_s,drift_tilt_rad", ROWS)}, 1,
           {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
     *told("drift_axis_rad empty in the new rows alone at t = 1 s", both(rows=[[0, 0], [1, ""], [2, 3e-6]]), 1, both()),
     *told("drift_axis_rad empty in the reference alone at t = 1 s", both({"rows": [[0, 0], [1, ""], [2, 3e-6]]}), 1, both()),
     *told("drift_axis_rad not a finite number in the new rows at t = 1 s", both(rows=[[0, 0], [1, "nan"], [2, 3e-6]]), 1, both()),
-    *told("drift_axis_rad not a finite number in the reference at t = 2 s", both({"rows": [[0, 0], [1, 1e-6], [2, "inf"]]}), 1, both()),
-    *told("not finite: 2 times of the reference are not finite numbers", both({"rows": [*ROWS, ["nan", 1], ["inf", 2]]}), 1, both()),
-    *told("not finite: new/trajectory.csv:3: the time is not a finite number", both(rows=[[0, 0], ["nan", 1], [1, 1e-6], [2, 3e-6]]), 1,
+    *told("drift_axis_rad not a finite number in the reference at t = 2 s", both({"rows": [[0, 0], [1, 1e-6], [2, "inf"]]}), 1,
+          both()),
+    *told("not finite: 2 times of the reference are not finite numbers", both({"rows": [*ROWS, ["nan", 1], ["inf", 2]]}), 1,
+          both()),
+    *told("not finite: new/trajectory.csv:3: the time is not a finite number",
+          both(rows=[[0, 0], ["nan", 1], [1, 1e-6], [2, 3e-6]]), 1,
           both()),
     *told("the time 1 s is not later than that of the row before, 1 s", both(rows=[[0, 0], [1, 1], [1, 1]]), 2, both()),
     *told("other times: t = 1.5 s is not a time of the reference, though both are results of the same scenario",
           both(rows=at(0, 1.5, 2)), 1, other(rows=at(0, 1, 2)), 1),
-    *told("extra rows: the new result has rows that the reference of the same scenario lacks", both(rows=[*ROWS, [3, 0]]), 1, both()),
+    *told("extra rows: the new result has rows that the reference of the same scenario lacks", both(rows=[*ROWS, [3, 0]]), 1,
+          both()),
     *told("note: 2 new rows lie outside the reference's times, 0 to 2 s: not compared", other(rows=[*ROWS, [3, 0], [4, 0]]), 0,
           other(), command=ALLOWED + " --all"),
-    *told("missing rows: 2 of the reference's 3 rows are missing in the new result, the first one at t = 0 s", both(rows=[[1, 1e-6]]), 1,
+    *told("missing rows: 2 of the reference's 3 rows are missing in the new result, the first one at t = 0 s",
+          both(rows=[[1, 1e-6]]), 1,
           both()),
     *told("note: 2 of the reference's 3 rows are missing in the new result, which was allowed", both(rows=[[1, 1e-6]]), 0, both(),
           command=PAIR + " --all --allow-missing"),
     # Rows between those of the reference stand for its rows there: only later ones are missing.
     *told(["5 of the reference's 11 rows are missing in the new result, the first one at t = 6 s",
-           "3 rows lie between the reference's: they are compared with its cubic Hermite interpolation, whose error (for rows twice as "
+           "3 rows lie between the reference's: they are compared with its cubic Hermite interpolation, whose error (for rows "
+           "twice as "
            "far apart) is added to the tolerances"],
           other({"rows": CLOCK}, rows=at(0, 1.25, 2.5, 3.75, 5)), 1, other({"rows": CLOCK}, rows=CLOCK), command=ALLOWED),
     *told("nothing in common: no row of the new result was compared", other(rows=at(5, 6)), 1, other(), command=ALLOWED),
-    *told("the two have rows at different times, and those of the reference are too far apart for interpolation: the body turns by "
-          "1.2 rad from row to row; give both the same times, run the reference with a shorter motion.output_step_s, or allow more",
-          other({"columns": RATES, "rows": [[t, 0, 0, 1.2] for t in range(9)]}, columns=RATES, rows=[[0, 0, 0, 1.2], [1.5, 0, 0, 1.2]]), 2,
-          other({"columns": RATES, "rows": [[t, 0, 0, 0.9] for t in range(9)]}, columns=RATES, rows=[[0, 0, 0, 0.9], [1.5, 0, 0, 0.9]]), 1,
+    *told("the two have rows at different times, and those of the reference are too far apart for interpolation: the body turns "
+          "by "
+          "1.2 rad from row to row; give both the same times, run the reference with a shorter motion.output_step_s, or allow "
+          "more",
+          other({"columns": RATES, "rows": [[t, 0, 0, 1.2] for t in range(9)]}, columns=RATES,
+                rows=[[0, 0, 0, 1.2], [1.5, 0, 0, 1.2]]), 2,
+          other({"columns": RATES, "rows": [[t, 0, 0, 0.9] for t in range(9)]}, columns=RATES,
+                rows=[[0, 0, 0, 0.9], [1.5, 0, 0, 0.9]]), 1,
           command=ALLOWED),
     *told("too far apart for interpolation: the error of drift_axis_rad between them may be 6.3e-05, above its tolerance 6.3e-17",
           other({"rows": [[t, 63e-6 * (t == 8)] for t in range(17)]}, rows=[[0, 0], [1.5, 0]]), 2, other(), command=ALLOWED),
-    *told("The only quantity is within its tolerance. Nearest to its tolerance is drift_axis_rad (angle between the two spin axes): "
+    *told("The only quantity is within its tolerance. Nearest to its tolerance is drift_axis_rad (angle between the two spin "
+          "axes): "
           "1e-18 rad at t = 2 s, 0.33 of its tolerance.",
           {"a.csv": csv(DRIFT, ROWS), "b.csv": csv(DRIFT, [*ROWS[:2], [2, 3e-6 + 1e-18]])}, 0,
           {"a.csv": csv(DRIFT, ROWS), "b.csv": csv(DRIFT, ROWS)}, command="compare a.csv b.csv"),
@@ -486,24 +513,28 @@ OF_ROWS = [
 
 # A bound ten times as large as the reference's is of one size with it; a larger one is not.
 OF_ORIGINS = [
-    *told("FAILED drift_axis_bound_rad 1.01e-08 1e-08 inf a factor of 10; largest at t = 1 s", both(bounded(), columns=BOUNDED, rows=[
+    *told("FAILED drift_axis_bound_rad 1.01e-08 1e-08 inf a factor of 10; largest at t = 1 s", both(bounded(), columns=BOUNDED,
+                                                                                                    rows=[
         [0, 0, 1e-9], [1, 1e-6, 1.11e-8], [2, 1e-5, 1e-9]]), 1, both(bounded(), columns=BOUNDED, rows=[
             [0, 0, 1e-9], [1, 1e-6, 0.99e-8], [2, 1e-5, 1e-9]])),
     *told("drift_axis_bound_rad (bound on the error of drift_axis_rad): 9.5e-09 rad at t = 1 s, not within a factor of 10.",
-          both(bounded(), columns=BOUNDED, rows=[[0, 0, 1e-9], [1, 1e-6, 1.05e-8], [2, 1e-5, 1e-9]]), 1, both(bounded(), **bounded())),
+          both(bounded(), columns=BOUNDED, rows=[[0, 0, 1e-9], [1, 1e-6, 1.05e-8], [2, 1e-5, 1e-9]]), 1,
+          both(bounded(), **bounded())),
     *told("drift_axis_rad 2e-05 1e-05 2 within both errors the largest that error bounds may allow here; largest at t = 2 s",
           other(bounded(), **bounded(0, 2e-5, 1e-9, 1)), 1, other(bounded(), **bounded(0, 2e-5, 1e-9, 1e-9)), 1, command=ALLOWED),
     *told("drift_axis_rad 1e-10 2e-11 5 within both errors 0.01 x both error bounds; largest at t = 1 s",
           both(bounded(), **bounded(1e-10)), 1, other(bounded(), **bounded(1e-10)), 0, command=ALLOWED),
     *told("rates_rad_s 1 0.2 5 0.001 x the Earth's effect 200; largest at t = 1 s",
-          both({"columns": RATES + ",ref_" + RATES[4:].replace(",", ",ref_"), "rows": [[t, 0, 0, 200, 0, 0, 0] for t in range(3)]},
+          both({"columns": RATES + ",ref_" + RATES[4:].replace(",", ",ref_"),
+                "rows": [[t, 0, 0, 200, 0, 0, 0] for t in range(3)]},
                columns=RATES, rows=[[0, 0, 0, 200], [1, 0, 0, 201], [2, 0, 0, 200]]), 1, command=PAIR + " --profile physics"),
 ]
 
 REASON = " --update --reason better"
 COMPLETE = {"solution": {}, "motion": {}, "scenario": {}, "drift": {}, "invariants": []}
 STUDY = {"base": "scenarios/toy-top.json", "set": {"/motion/duration_s": 0.1},
-         "axes": [{"pointer": "/release/spin_rad_s", "values": [180, 190, 200]}], "collect": ["drift.axis_final_rad", "drift.verdict"]}
+         "axes": [{"pointer": "/release/spin_rad_s", "values": [180, 190, 200]}], "collect": ["drift.axis_final_rad",
+                                                                                              "drift.verdict"]}
 STORE = {"new/study.sqlite": "any"}
 
 
@@ -512,7 +543,8 @@ def updated(says, files, status=2, without=None, without_status=0, command=PAIR 
 
 
 OF_UPDATES = [
-    *updated("old.json: error: already exists, and is not a reference; choose another place", {**results(), "old.json": '{"a": 1}'},
+    *updated("old.json: error: already exists, and is not a reference; choose another place",
+             {**results(), "old.json": '{"a": 1}'},
              command="compare old.json new" + REASON),
     *updated("new: error: its run was not completed, so that it cannot become a reference",
              results(outcome={"status": "stopped", "reached_s": 2.0, "rows": 3})),
@@ -523,23 +555,27 @@ OF_UPDATES = [
     *updated("old: error: is a file; give a directory", {**STORE, "old": ""}, 2, STORE, 2),
     *updated("old: error: is a reference of another kind; choose another place", {**STORE, **results("old")}, 2, STORE, 2),
     *updated("old: error: is a reference of another kind; choose another place", {**results(), "old/study.sqlite": ""}),
-    *updated("shard.sqlite: error: give the study's directory, or its study.sqlite", {"shard.sqlite": ""}, command="compare old shard.sqlite" + REASON),
+    *updated("shard.sqlite: error: give the study's directory, or its study.sqlite", {"shard.sqlite": ""},
+             command="compare old shard.sqlite" + REASON),
     *updated("old: error: is a single reference, but there are several new results; give a directory",
              {**results("old"), **results("new/a"), **results("new/b")}),
     *updated("old: error: is the reference itself; give new results", results("old"), command="compare old old" + REASON),
-    *updated("new.csv: error: cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory of such "
+    *updated("new.csv: error: cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory "
+             "of such "
              "directories", {"new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv" + REASON),
     *updated("a new reference needs a reason; give one with --reason TEXT", results(), command="compare old new --update"),
     Case(["study a.json --jobs 1 --quiet --out new", PAIR + REASON],
          "old/study.csv: error: is a directory, where a file of the reference belongs; move it away", scenario=None, status=2,
          files={"a.json": json.dumps(STUDY), "old/study.csv/any": ""}),
     *updated(["old/.earthtop-update/journal: error: is damaged, so that the reference may be, too; remove ",
-              "old/.earthtop-update, and update the reference again"], {**both(), "old/.earthtop-update/journal": "earthtop-update-1\n"}, 2, both(), command=PAIR),
+              "old/.earthtop-update, and update the reference again"],
+             {**both(), "old/.earthtop-update/journal": "earthtop-update-1\n"}, 2, both(), command=PAIR),
 ]
 
 MEASURED = {"m.csv": "t_s,azimuth_rad,azimuth_se_rad\n1,0.1,0.01\n", "there.json": "{}"}
 WITH = "compare s.json m.csv "
-OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --priors, "
+OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, "
+                 "--priors, "
                  "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet")
 
 
@@ -550,12 +586,15 @@ def measured(says, options):
 
 OF_OPTIONS = [
     *told("--junit and --svg name the same file; give two", both(), 2, command=PAIR + " --junit x --svg x"),
-    measured("--write-scenario and --svg name the same file; give two", "--estimate spin_rad_s --write-scenario x.json --svg x.json"),
-    *told("old.csv is, or is in, one of the inputs; write to another place", {"old.csv": csv(DRIFT, ROWS), "new.csv": csv(DRIFT, ROWS)}, 2,
+    measured("--write-scenario and --svg name the same file; give two",
+             "--estimate spin_rad_s --write-scenario x.json --svg x.json"),
+    *told("old.csv is, or is in, one of the inputs; write to another place", {"old.csv": csv(DRIFT, ROWS),
+                                                                              "new.csv": csv(DRIFT, ROWS)}, 2,
           command="compare old.csv new.csv --svg old.csv"),
     measured("--write-scenario writes estimates into the scenario; name them with --estimate", "--write-scenario x.json"),
     measured("there.json already exists; give another name, or --force", "--estimate spin_rad_s --write-scenario there.json"),
-    *[measured(OTHER_OPTIONS, option) for option in ("--profile physics", "--tolerances t.json", "--mapping m.json", "--junit j.xml",
+    *[measured(OTHER_OPTIONS, option) for option in ("--profile physics", "--tolerances t.json", "--mapping m.json",
+                                                     "--junit j.xml",
                                                      "--allow-change /", "--max-steps-ratio 2", "--max-seconds-ratio 2",
                                                      "--allow-missing")],
     measured("--correlation-time must be above 0 (s); leave it out where errors are independent", "--correlation-time 0"),
@@ -563,7 +602,8 @@ OF_OPTIONS = [
         "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file", both(), 2,
         command=f"{PAIR} {option}")],
     *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors", "--force") for case in told(
-        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a scenario and NEW a "
+        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a scenario and "
+        "NEW a "
         "CSV file", both(), 2, command=f"{PAIR} {option}")],
     *told("--reason belongs to --update, which writes a new reference", both(), 2, command=PAIR + " --reason better"),
     *told("--allow-change numerics: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it", both(), 2,
@@ -593,15 +633,20 @@ def spins(*values):
 OF_STORES = [
     Case([f"study a.json --jobs 1 --quiet --shard {i}/2 --out {out}" for i, out in ((1, "old"), (2, "new"))] +
          ["compare old/shard-1-of-2.sqlite new/shard-2-of-2.sqlite"],
-         ["nothing in common: no point of the new store was compared", "missing rows: 2 points are missing in the new store, the first one point 0",
+         ["nothing in common: no point of the new store was compared",
+          "missing rows: 2 points are missing in the new store, the first one point 0",
           "extra rows: 1 points are in the new store alone, the first one point 1"], scenario=None,
          files={"a.json": json.dumps(STUDY)}, status=1),
-    *studied('top.nutation_kind "of_release" in the reference, "small_amplitude" now', {"base": "scenarios/steady-precession-slow.json"},
+    *studied('top.nutation_kind "of_release" in the reference, "small_amplitude" now',
+             {"base": "scenarios/steady-precession-slow.json"},
              options="--allow-change /", study={**STUDY, "collect": ["top.nutation_kind"]}),
     *studied("missing rows: 1 points are missing in the new store, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2"),
-    *studied("note: 1 points are missing in the new store, which was allowed", shard="--shard 1/2", options="--allow-missing --all", status=0),
-    *studied("extra rows: 1 points are in the new store alone, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2", reverse=True),
-    *studied("other points: 2 points have different values of the axes, the first one point 1 (spin_rad_s 191)", spins(180, 191, 201),
+    *studied("note: 1 points are missing in the new store, which was allowed", shard="--shard 1/2",
+             options="--allow-missing --all", status=0),
+    *studied("extra rows: 1 points are in the new store alone, the first one point 1 (spin_rad_s 190)", shard="--shard 1/2",
+             reverse=True),
+    *studied("other points: 2 points have different values of the axes, the first one point 1 (spin_rad_s 191)",
+             spins(180, 191, 201),
              options="--allow-change /"),
     *studied("now; axes, design, quantities or base differ (--allow-change / allows it)", spins(180, 190, 200, 210)),
     *studied("now, which was allowed", spins(180, 190, 200, 210), options="--allow-change / --all"),
@@ -609,4 +654,5 @@ OF_STORES = [
              options="--allow-change /"),
 ]
 
-CASES = OF_REFERENCES + OF_PATHS + OF_SCENARIOS + OF_CONCLUSIONS + OF_HINTS + OF_PICTURES + OF_CHANGES + OF_FIGURES + OF_MAPPINGS + OF_TOLERANCES + OF_ROWS + OF_ORIGINS + OF_UPDATES + OF_OPTIONS + OF_STORES
+CASES = [*OF_REFERENCES, *OF_PATHS, *OF_SCENARIOS, *OF_CONCLUSIONS, *OF_HINTS, *OF_PICTURES, *OF_CHANGES, *OF_FIGURES,
+         *OF_MAPPINGS, *OF_TOLERANCES, *OF_ROWS, *OF_ORIGINS, *OF_UPDATES, *OF_OPTIONS, *OF_STORES]
