@@ -37,15 +37,15 @@ std::string told(const QuantityVerdict& quantity) {
 /// What part of its tolerance a quantity uses where its difference is largest and, where that is more, elsewhere.
 std::string share_words(const QuantityVerdict& quantity) {
   constexpr double kRounding = 1e-9;
-  if (!quantity.passed && quantity.origin.starts_with("a factor of"))
-    return "not within " + quantity.origin.substr(0, quantity.origin.find(" ("));
-  const auto in_words = [](double share) -> std::string {
+  if (quantity.origin.starts_with("a factor of"))
+    return (quantity.passed ? "within " : "not within ") + quantity.origin.substr(0, quantity.origin.find(" ("));
+  const auto told_share = [](double share) -> std::string {
     if (std::isinf(share)) return "where nothing is allowed";
     return share < 1 ? fmt::format("{:.2g} of its tolerance", share) : fmt::format("{:.3g} times its tolerance", share);
   };
   const double here = quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
   const bool is_elsewhere = quantity.share > here * (1 + kRounding);
-  return in_words(here) + (is_elsewhere ? fmt::format(", but {} elsewhere", in_words(quantity.share)) : "");
+  return told_share(here) + (is_elsewhere ? fmt::format(", but {} elsewhere", told_share(quantity.share)) : "");
 }
 
 /// What differs, or how near the two are to that.

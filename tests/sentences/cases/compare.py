@@ -520,6 +520,11 @@ OF_ORIGINS = [
     *told("drift_axis_bound_rad (bound on the error of drift_axis_rad): 9.5e-09 rad at t = 1 s, not within a factor of 10.",
           both(bounded(), columns=BOUNDED, rows=[[0, 0, 1e-9], [1, 1e-6, 1.05e-8], [2, 1e-5, 1e-9]]), 1,
           both(bounded(), **bounded())),
+    *told("Nearest to its tolerance is drift_axis_bound_rad (bound on the error of drift_axis_rad): 8.5e-09 rad at t = 1 s, "
+          "within "
+          "a factor of 10.",
+          both(bounded(), columns=BOUNDED, rows=[[0, 0, 1e-9], [1, 1e-6, 9.5e-9], [2, 1e-5, 1e-9]]), 0,
+          both(bounded(), **bounded())),
     *told("drift_axis_rad 2e-05 1e-05 2 within both errors the largest that error bounds may allow here; largest at t = 2 s",
           other(bounded(), **bounded(0, 2e-5, 1e-9, 1)), 1, other(bounded(), **bounded(0, 2e-5, 1e-9, 1e-9)), 1, command=ALLOWED),
     *told("drift_axis_rad 1e-10 2e-11 5 within both errors 0.01 x both error bounds; largest at t = 1 s",
