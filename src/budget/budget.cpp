@@ -146,6 +146,7 @@ SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, co
                          : integrated_responses(problem, inputs, candidates.size(), time_s, watch, on_step, up.inputs_status);
   // To seconds and back the end may change by a rounding.
   up.reached_s = up.drift.status == RunStatus::completed ? time_s : real::scale(end, problem.units.time_exponent);
+  if (!(up.reached_s > 0)) return up;
   for (std::size_t i = 0; i < std::min(candidates.size(), up.drift.responses.size()); ++i)
     up.effects[i].responses = up.drift.responses[i];
   return up;
@@ -282,11 +283,11 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
   Budget budget;
   const SizedUp up =
       size_up(scene, candidates, prepared.all, prepared.time_s, prepared.by, parts.next(prepared.by.seconds, "effects"));
-  const bool completed = up.drift.status == RunStatus::completed;
   budget.followed_s = up.reached_s;
+  const bool completed = up.drift.status == RunStatus::completed, known = completed && budget.followed_s > 0;
   const double later = budget.followed_s > 0 ? scene.scenario().duration_s / budget.followed_s : 1;
   const double drift_later = drift_growth(scene, budget.followed_s, later, parts.next(prepared.drift_seconds, "drift"));
-  budget.earth_drift_rad = completed ? drift_later * up.drift.axis.value : std::numeric_limits<double>::quiet_NaN();
+  budget.earth_drift_rad = known ? drift_later * up.drift.axis.value : std::numeric_limits<double>::quiet_NaN();
   std::size_t next = 0;  // index of the next candidate; candidates are in the catalogue's order
   for (const Effect& effect : all_effects()) {
     if (!effect.is_in_budget(scene)) continue;
@@ -296,12 +297,14 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
     if (is_sized) ++next;
   }
   budget.warnings = warnings_of(budget.effects);
-  if (!completed)
+  if (!known)
     budget.warnings.push_back(
         fmt::format("the motion could be followed for {:.4g} s only ({}), so that the drifts are not known", budget.followed_s,
-                    to_string(up.drift.status)));
+                    completed ? "dry friction has no direction at rest" : to_string(up.drift.status)));
   if (scene.rotation_rate_rad_s() == 0)
     budget.inputs_unavailable = "the Earth does not turn, so that there is no effect to see";
+  else if (!known)
+    budget.inputs_unavailable = "the drift is not known";
   else if (up.inputs_status != RunStatus::completed)
     budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.inputs_status));
   else

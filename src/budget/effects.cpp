@@ -29,8 +29,8 @@ bool has_pole(const Scene& scene) { return scene.site().pole.x_arcsec != 0 || sc
 bool has_deflection(const Scene& scene) {
   return scene.site().deflection.north_arcsec != 0 || scene.site().deflection.east_arcsec != 0;
 }
-/// Returns the words that name the day for which an effect is sized, if the scene gives none.
-std::string dated(const Scene& scene) { return scene.scenario().start_utc ? "" : fmt::format(", sized for {}", kWithoutDate); }
+/// Returns the words that name the time for which an effect is sized, if the scene gives none.
+std::string dated(const Scene& scene) { return scene.scenario().start_utc ? "" : fmt::format(" at {}", kWithoutDate); }
 
 Candidate coriolis(const Scene& scene) {
   Candidate c;

@@ -118,12 +118,16 @@ class Sizes {
     for (std::size_t slot = 0; slot < kSlots; ++slot)
       for (std::size_t g = 0; g < std::size(kGroups); ++g) largest_[slot][g] = std::max(largest_[slot][g], norm_of(x, slot, g));
   }
-  /// The largest error relative to its size. Sizes are taken to be at least a thousandth, in natural units.
+  /// The largest error relative to its size; infinite where one is not finite. Sizes are taken to be at least a thousandth, in
+  /// natural units.
   double relative(const State& error) const {
     double worst = 0;
     for (std::size_t slot = 0; slot < kSlots; ++slot)
-      for (std::size_t g = 0; g < std::size(kGroups); ++g)
-        worst = std::max(worst, norm_of(error, slot, g) / std::max(1e-3, largest_[slot][g]));
+      for (std::size_t g = 0; g < std::size(kGroups); ++g) {
+        const double share = norm_of(error, slot, g) / std::max(1e-3, largest_[slot][g]);
+        if (!std::isfinite(share)) return HUGE_VAL;
+        worst = std::max(worst, share);
+      }
     return worst;
   }
 

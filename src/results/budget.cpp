@@ -87,6 +87,7 @@ std::string contact_explanation_json(const ContactExplanation& explained, const 
                          {"duration_s", scenario.duration_s},
                          {"followed_s", explained.followed_s},
                          {"ended_by", explained.ended_by},
+                         {"ended_at_s", finite_or_null(explained.ended_at_s)},
                          {"earth_drift_rad", explained.drift_axis_rad},
                          {"earth_drift_tip_m", explained.drift_tip_m},
                          {"matching_rule", matching_rule(scenario)},

@@ -100,6 +100,14 @@ std::vector<ContactForceSize> force_sizes(const Scene& scene, const DriftProblem
   return sizes;
 }
 
+/// The scene in double precision, with as few rows as sizes need.
+Scene as_looked_at(const Scene& scene) {
+  Scenario scenario = scene.scenario();
+  scenario.precision = Precision::bits53;
+  scenario.output_step_s = scenario.duration_s / kLooks;
+  return resolve(std::move(scenario));
+}
+
 /// The distance of the two contact points (m).
 double tip_drift_m(const DriftSample<double>& sample) {
   return sample.state.epsilon * norm(motion_of(sample.contact->tip_L, &Paired<double>::diff));
@@ -108,12 +116,13 @@ double tip_drift_m(const DriftSample<double>& sample) {
 }  // namespace
 
 ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
-  DriftProblem<double> problem = scene.problem<double>();
+  const Scene looked_at = as_looked_at(scene);
+  DriftProblem<double> problem = looked_at.problem<double>();
   const Contact<double>& contact = problem.table->contact;
-  IntegrationOptions options = scene.choice().options;
+  IntegrationOptions options = looked_at.choice().options;
   options.relative_tolerance = std::max(options.relative_tolerance, kTolerance);
   options.observer = Observer::laboratory;
-  const double duration_s = scene.scenario().duration_s, cost_s = scene.estimate().seconds.solution;
+  const double duration_s = scene.scenario().duration_s, cost_s = looked_at.cost(options).seconds;
   const double followed_s = duration_s * std::min(1.0, kLongest_s / std::max(cost_s, kLongest_s));
   problem.times_s.clear();
   for (int i = 0; i <= kLooks; ++i) problem.times_s.push_back(i == kLooks ? followed_s : followed_s * i / kLooks);
@@ -141,7 +150,8 @@ ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
 
   double before_s = HUGE_VAL;
   for (const ContactEvent& event : drift.contact_events) {
-    if (ends_run(event.kind) && explained.ended_by.empty()) explained.ended_by = type_of(event.kind).words;
+    if (ends_run(event.kind) && !explained.ended_at_s)
+      explained.ended_by = type_of(event.kind).words, explained.ended_at_s = event.t_s;
     // Exact dry friction has no derivative where the slip stops.
     if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && exact))
       before_s = std::min(before_s, event.t_s);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/general_contact.hpp"
@@ -50,11 +51,11 @@ class Touchdown {
     return on_earth && release_.X == RatesRelativeTo::inertial ? Vec3<double>(w - W_) : w;
   }
 
-  /// The table's reaction. @param share  of the law's coefficient that acts
-  ContactReaction<double> reaction(bool on_earth, double share = 1) const {
+  /// The table's reaction. @param without  a coefficient that is left out
+  ContactReaction<double> reaction(bool on_earth, double Contact<double>::*without = nullptr) const {
     const Vec3<double> normal = Vec3<double>::UnitZ(), w = rate(on_earth), slip = this->slip(on_earth);
     Contact<double> contact = contact_;
-    contact.coefficient *= share, contact.viscosity *= share;
+    if (without) contact.*without = 0;
     // The exact law of dry friction holds a tip that does not slip.
     if (contact.law == ContactLaw::coulomb && contact.slip_floor == 0 && is_round_off(norm(slip)))
       contact.law = ContactLaw::rolling;
@@ -135,37 +136,45 @@ bool check_moments(const Section& body, const Scene& scene) {
   return false;
 }
 
-/// Returns the key of the coefficient that a law's friction is proportional to; that of rolling resistance if it has none.
-const char* coefficient_of(ContactLaw law) {
-  switch (law) {
-    case ContactLaw::coulomb:
-    case ContactLaw::contensou: return "friction_coefficient";
-    case ContactLaw::viscous_load: return "sliding_viscosity_s_m";
-    default: return "rolling_resistance_m";
-  }
+/// The coefficients to which friction and its moment are proportional, by their keys.
+constexpr std::pair<const char*, double Contact<double>::*> kCoefficients[] = {
+    {"friction_coefficient", &Contact<double>::coefficient},
+    {"sliding_viscosity_s_m", &Contact<double>::viscosity},
+    {"spinning_friction_m", &Contact<double>::spinning_length},
+    {"rolling_resistance_m", &Contact<double>::rolling_length}};
+
+/// Refuses a release without a unique force of the table. The denominator of the force is linear in each coefficient: the one
+/// whose absence leaves most of it has a limit.
+void refuse_paradox(const Section& root, const Touchdown& touchdown, bool on_earth) {
+  const Section contact = root.section("contact");
+  const double found = touchdown.reaction(on_earth).denominator;
+  double most = std::max(0.0, found);
+  const char* key = nullptr;
+  for (const auto& [name, member] : kCoefficients)
+    if (const double without = touchdown.reaction(on_earth, member).denominator; contact.has(name) && without > most)
+      key = name, most = without;
+  const auto given = key ? contact.number(key) : std::nullopt;
+  constexpr double kRoundedDown = 0.9995;  // so that the number given is allowed
+  const std::string remedy = given ? fmt::format("{} must be below {:.4g} in this release", key,
+                                                 kRoundedDown * *given * most / (most - found))
+                                   : "give less friction and less resistance";
+  const std::string message =
+      fmt::format("no unique force of the table exists at the release (Painleve's paradox: friction presses the tip into the "
+                  "table more than the table can push); {}, or another tilt or direction of slip",
+                  remedy);
+  given ? contact.refuse(key, message) : root.refuse("contact", message);
 }
 
 /// Checks that the table pushes, and that there is one force with which it does.
 bool check_reaction(const Section& root, const Touchdown& touchdown) {
   for (const bool on_earth : {true, false}) {
     const ContactReaction<double> reaction = touchdown.reaction(on_earth);
-    const Section contact = root.section("contact");
     if (!std::isfinite(reaction.denominator) || !std::isfinite(reaction.normal_force * touchdown.mobility())) {
       root.refuse("contact", "the forces at the release are too large for a double; give a body and rates of everyday size");
       return false;
     }
     if (!(reaction.denominator > 0)) {
-      const char* key = coefficient_of(touchdown.spec().law);
-      const double without = touchdown.reaction(on_earth, 0).denominator;
-      const auto given = contact.has(key) ? contact.number(key) : std::nullopt;
-      const bool falls = given && without > 0 && without > reaction.denominator;
-      const std::string remedy = falls ? fmt::format("{} must be below {:.4g} in this release", key,
-                                                     *given * without / (without - reaction.denominator))
-                                       : "give less friction";
-      contact.refuse(key,
-                     fmt::format("no unique force of the table exists at the release (Painleve's paradox: friction presses the "
-                                 "tip into the table more than the table can push); {}, or another tilt or direction of slip",
-                                 remedy));
+      refuse_paradox(root, touchdown, on_earth);
       return false;
     }
     if (!(reaction.normal_force > touchdown.round_off_N())) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
@@ -43,6 +45,15 @@ RowSeconds seconds_a_row(Precision precision) {
   return precision == Precision::bits53 ? RowSeconds{7e-7, 1e-6} : RowSeconds{3e-5, 1e-4};
 }
 
+/// What dies out too fast on a table, and what to take instead, by the key of the friction.
+std::pair<std::string_view, std::string_view> stiff_on_table(std::string_view pointer) {
+  if (pointer == "/contact/regularisation_m_s") return {"slip", "a larger regularisation or a shorter duration"};
+  if (pointer == "/contact/patch_radius_m") return {"slip", "a larger patch or a shorter duration"};
+  if (pointer.starts_with("/contact/sliding_viscosity"))
+    return {"slip", "a smaller coefficient, a shorter duration, or \"rolling\", its limit"};
+  return {"turn", "a larger regularisation_rad_s or a shorter duration"};
+}
+
 }  // namespace
 
 RunEstimate estimate_run(const Scene& scene) {
@@ -79,7 +90,7 @@ std::string about_seconds(double seconds) {
 void refuse_unaffordable(const Scene& scene) {
   if (is_too_short_to_look(scene)) return;
   // A motion that turns has to be followed; a motion that friction merely holds still does not justify hours of computing.
-  constexpr double kStiffDays = 1.0 / 24, kNearlyAll = 0.9;
+  constexpr double kStiff_s = 3600, kDay_s = 86400, kNearlyAll = 0.9;
   const Scenario& scenario = scene.scenario();
   const IntegrationOptions& options = scene.choice().options;
   const double first = scene.costs()[0].work.steps, second = scene.costs()[1].work.steps;
@@ -90,37 +101,36 @@ void refuse_unaffordable(const Scene& scene) {
   if (within && !stiff && scenario.precision == Precision::bits53) return;
 
   const double steps = std::min(std::max(first, second), 1e300);
-  const double days = std::min(scene.estimate().seconds.all(), 1e300) / 86400;
-  if (stiff && !(within && days <= kStiffDays)) {
+  const double seconds = std::min(scene.estimate().seconds.all(), 1e300);
+  const std::string work = fmt::format("about {:.1e} steps, {} of computing", steps, about_seconds(seconds));
+  if (stiff && !(within && seconds <= kStiff_s)) {
     const StiffFriction stiffest = scene.stiffest_friction();
-    if (scenario.contact)
+    if (scenario.contact) {
+      const auto [what, instead] = stiff_on_table(stiffest.pointer);
       throw ScenarioError(
           std::string(stiffest.pointer),
-          fmt::format(
-              "this friction is too stiff: a slip dies out at about {:.1e} 1/s, and every step of an explicit method has "
-              "to follow it: about {:.1e} steps, some {:.1g} days of computing; at most an hour is allowed; take a softer law, "
-              "a shorter duration, or \"rolling\", its limit",
-              stiffest.damping / scenario.duration_s, steps, days));
+          fmt::format("this friction is too stiff: a {} dies out at about {:.1e} 1/s, and every step of an explicit method has "
+                      "to follow it: {}; at most an hour is allowed; take {}",
+                      what, stiffest.damping / scenario.duration_s, work, instead));
+    }
     throw ScenarioError(
         std::string(stiffest.pointer),
-        fmt::format(
-            "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
-            "constants within the duration, of which a step of an explicit method covers a few: about {:.1e} steps, "
-            "some {:.1g} days of computing; at most an hour is allowed; take a smaller coefficient or a shorter "
-            "duration; a motion so strongly damped stands still, or creeps at the rate torque / coefficient",
-            stiffest.damping / scenario.duration_s, stiffest.damping, steps, days));
+        fmt::format("this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
+                    "constants within the duration, of which a step of an explicit method covers a few: {}; at most an hour is "
+                    "allowed; take a smaller coefficient or a shorter duration; a motion so strongly damped stands still, or "
+                    "creeps at the rate torque / coefficient",
+                    stiffest.damping / scenario.duration_s, stiffest.damping, work));
   }
   if (!within)
     throw ScenarioError("/motion/duration_s",
-                        fmt::format("this scenario needs about {:.1e} steps, some {:.1g} days of computing; at most {:.1e} are "
-                                    "allowed; take a shorter duration, a slower spin or a longer step",
-                                    steps, days, limit));
-  if (scenario.precision != Precision::bits53 && !(days <= 1))
-    throw ScenarioError(
-        "/motion/duration_s",
-        fmt::format("this scenario needs about {:.1e} steps in {}, some {:.1g} days of computing; at most one day "
-                    "is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
-                    steps, to_string(scenario.precision), days));
+                        fmt::format("this scenario needs {}; at most {:.1e} steps are allowed; take a shorter duration, a slower "
+                                    "spin or a looser tolerance",
+                                    work, limit));
+  if (scenario.precision != Precision::bits53 && !(seconds <= kDay_s))
+    throw ScenarioError("/motion/duration_s",
+                        fmt::format("in {} this scenario needs {}; at most one day is allowed; take a shorter duration, a "
+                                    "slower spin, a looser tolerance or less precision",
+                                    to_string(scenario.precision), work));
 }
 
 }  // namespace earthtop

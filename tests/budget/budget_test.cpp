@@ -17,6 +17,8 @@
 #include "earthtop/scene/scene.hpp"
 #include "scene/input_derivatives.hpp"
 #include "scene/sensitivity_route.hpp"
+#include "support/contact_references.hpp"
+#include "support/contact_scenario.hpp"
 #include "support/effect_scenes.hpp"
 
 namespace earthtop {
@@ -198,6 +200,19 @@ TEST(Selection, AccuracyDecidesWhatActs) {
   const std::atomic<bool> stop = true;
   Scene scene(s);
   EXPECT_FALSE(explain_effects(scene, Watch(&stop)));
+}
+
+TEST(Budget, IsForAFixedPivot) {
+  const Scene scene(testing::scenario_of(testing::toy_on_table({.law = ContactLaw::rolling})));
+  for (const auto& budget : {+[](const Scene& s) { effect_budget(s); }, +[](const Scene& s) { budget_seconds(s); }}) try {
+      budget(scene);
+      FAIL();
+    } catch (const ScenarioError& error) {
+      EXPECT_EQ(error.diagnostics().front().pointer, "/contact");
+      EXPECT_EQ(error.diagnostics().front().message,
+                "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario with "
+                "and without it");
+    }
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ std::string explained(const Budget& budget, const Scene& scene, std::size_t widt
                      paragraph(fmt::format("Drift by the Earth's rotation after {} s: {}; {}", scenario.duration_s, drift,
                                            matching_rule(scenario)));
   text += '\n' + effects_text(budget, width) + '\n' + inputs_text(budget, width);
-  if (budget.followed_s < scenario.duration_s * (1 - 1e-9))
+  if (std::isfinite(budget.earth_drift_rad) && budget.followed_s < scenario.duration_s * (1 - 1e-9))
     text +=
         '\n' + paragraph(fmt::format("The motion was followed for {:.4g} s; sizes after that are taken in proportion to time "
                                      "and drift.",

@@ -49,7 +49,7 @@ std::string need_text(const std::optional<double>& steps, std::string_view step,
 std::string inputs_text(const ContactExplanation& explained, std::size_t width) {
   if (explained.inputs.empty()) return "How well the inputs must be known: not known\n";
   std::string text = sentence(fmt::format("How well the inputs must be known: the error of each that moves the prediction at "
-                                          "{} s as far as the Earth does",
+                                          "{:.6g} s as far as the Earth does",
                                           explained.inputs_at_s),
                               width);
   bool of_friction = false;
@@ -74,8 +74,8 @@ std::string contact_explanation_text(const ContactExplanation& explained, const 
       sentence(fmt::format("Drift by the Earth's rotation after {:.6g} s: axis {:.3e} rad, tip {:.3e} m; {}",
                            explained.followed_s, explained.drift_axis_rad, explained.drift_tip_m, matching_rule(scenario)),
                width);
-  if (!explained.ended_by.empty())
-    text += sentence("Then the run ends: " + explained.ended_by, width);
+  if (explained.ended_at_s)
+    text += sentence(fmt::format("At t = {:.6g} s {}", *explained.ended_at_s, explained.ended_by), width);
   else if (explained.followed_s < scenario.duration_s * (1 - 1e-9))
     text += sentence(fmt::format("The motion was followed only until then; to {} s it would take longer", scenario.duration_s),
                      width);
