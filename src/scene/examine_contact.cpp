@@ -155,13 +155,13 @@ void refuse_paradox(const Section& root, const Touchdown& touchdown, bool on_ear
       key = name, most = without;
   const auto given = key ? contact.number(key) : std::nullopt;
   constexpr double kRoundedDown = 0.9995;  // so that the number given is allowed
-  const std::string remedy = given ? fmt::format("{} must be below {:.4g} in this release", key,
-                                                 kRoundedDown * *given * most / (most - found))
-                                   : "give less friction and less resistance";
-  const std::string message =
-      fmt::format("no unique force of the table exists at the release (Painleve's paradox: friction presses the tip into the "
-                  "table more than the table can push); {}, or another tilt or direction of slip",
-                  remedy);
+  const std::string remedy =
+      given ? fmt::format("{} must be below {:.4g} in this release", key, kRoundedDown * *given * most / (most - found))
+            : "give less friction and less resistance";
+  const std::string message = fmt::format(
+      "no unique force of the table exists at the release (Painleve's paradox: friction presses the tip into the "
+      "table more than the table can push); {}, or another tilt or direction of slip",
+      remedy);
   given ? contact.refuse(key, message) : root.refuse("contact", message);
 }
 

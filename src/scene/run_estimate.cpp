@@ -115,17 +115,19 @@ void refuse_unaffordable(const Scene& scene) {
     }
     throw ScenarioError(
         std::string(stiffest.pointer),
-        fmt::format("this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
-                    "constants within the duration, of which a step of an explicit method covers a few: {}; at most an hour is "
-                    "allowed; take a smaller coefficient or a shorter duration; a motion so strongly damped stands still, or "
-                    "creeps at the rate torque / coefficient",
-                    stiffest.damping / scenario.duration_s, stiffest.damping, work));
+        fmt::format(
+            "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
+            "constants within the duration, of which a step of an explicit method covers a few: {}; at most an hour is "
+            "allowed; take a smaller coefficient or a shorter duration; a motion so strongly damped stands still, or "
+            "creeps at the rate torque / coefficient",
+            stiffest.damping / scenario.duration_s, stiffest.damping, work));
   }
   if (!within)
-    throw ScenarioError("/motion/duration_s",
-                        fmt::format("this scenario needs {}; at most {:.1e} steps are allowed; take a shorter duration, a slower "
-                                    "spin or a looser tolerance",
-                                    work, limit));
+    throw ScenarioError(
+        "/motion/duration_s",
+        fmt::format("this scenario needs {}; at most {:.1e} steps are allowed; take a shorter duration, a slower "
+                    "spin or a looser tolerance",
+                    work, limit));
   if (scenario.precision != Precision::bits53 && !(seconds <= kDay_s))
     throw ScenarioError("/motion/duration_s",
                         fmt::format("in {} this scenario needs {}; at most one day is allowed; take a shorter duration, a "

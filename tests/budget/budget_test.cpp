@@ -209,9 +209,10 @@ TEST(Budget, IsForAFixedPivot) {
       FAIL();
     } catch (const ScenarioError& error) {
       EXPECT_EQ(error.diagnostics().front().pointer, "/contact");
-      EXPECT_EQ(error.diagnostics().front().message,
-                "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario with "
-                "and without it");
+      EXPECT_EQ(
+          error.diagnostics().front().message,
+          "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario with "
+          "and without it");
     }
 }
 

@@ -30,9 +30,10 @@ std::string forces_text(const ContactExplanation& explained, std::size_t width) 
 std::string friction_text(const ContactExplanation& explained, const ContactSpec& contact, std::size_t width) {
   std::string text;
   if (explained.largest_friction_ratio)
-    text += sentence(fmt::format("Friction is at most {:.3g} times the normal force{}", *explained.largest_friction_ratio,
-                                 contact.law == ContactLaw::rolling ? "; with less friction the tip would slip" : ""),
-                     width);
+    text +=
+        sentence(fmt::format("Friction at its largest is {:.3g} times the normal force{}", *explained.largest_friction_ratio,
+                             contact.law == ContactLaw::rolling ? "; with less friction the tip would slip" : ""),
+                 width);
   if (explained.slip_relaxation_1_s)
     text += sentence(fmt::format("A small slip dies out at {:.3g} per second at the release, which every step has to follow",
                                  *explained.slip_relaxation_1_s),

@@ -33,7 +33,7 @@ struct ContactInputNeed {
 struct ContactExplanation {
   double followed_s = 0;  ///< time up to which all sizes are; less than the run's where that would take long, or at an event
   std::string ended_by;   ///< the event that ends the motion, in words; empty without one
-  std::optional<double> ended_at_s;  ///< time of that event
+  std::optional<double> ended_at_s;            ///< time of that event
   double drift_axis_rad = 0, drift_tip_m = 0;  ///< at that time
   std::vector<ContactForceSize> forces;
   /// Rate (1/s) at which a small slip dies out at the release; none where it does not: without friction, while rolling, and under

@@ -256,7 +256,7 @@ ON_TABLE = [
             unless={"/contact/regularisation_m_s": 1e-4}),
     explain("torque: about the centre of mass, at release and at its largest; on the rotating Earth", TABLE),
     # Where a tip slides, dry friction is its coefficient times the normal force.
-    explain("Friction is at most 0.2 times the normal force", TABLE,
+    explain("Friction at its largest is 0.2 times the normal force", TABLE,
             set={"/contact": {**EXACT, "tip_velocity_m_s": [1, 0]}, "/motion/duration_s": 0.1},
             unless={"/contact/friction_coefficient": 0.21}),
     explain("How well the inputs must be known: the error of each that moves the prediction at 1 s as far as the Earth does", TABLE,
