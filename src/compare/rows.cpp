@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostSeen = 200;
 constexpr std::size_t kMostSpans = 1000;  // largest number of spans in a difference's curve
-constexpr double kNearlySame = 0.1;       // rad: attitudes that differ by less have quaternions of the same or of opposite signs
+constexpr double kNearlySame = 0.1;  // rad: attitudes that differ by less have quaternions of the same or of opposite signs
 
 /// Builds a difference's curve: the largest difference in each span of equally many rows. If there are too many spans, every
 /// two are joined.
