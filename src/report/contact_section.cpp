@@ -152,13 +152,14 @@ Ends ends(const std::vector<double>& list) {
 
 /// These sentences say what can be seen in the pictures. A sentence is written only where it is true of what is drawn.
 std::string seen_html(const Run& run) {
+  if (run.drawn.rows.size() < 2) return "";
   std::string html = "<p>";
   const Ends x = ends(values(run.drawn, "tip_L_x_m")), y = ends(values(run.drawn, "tip_L_y_m")),
              slip = ends(values(run.drawn, "slip_m_s"));
   const double far = real::hypot(x.last - x.first, y.last - y.first);
   if (far > 0)
-    html += fmt::format("The tip ends {} {} of where it started. ", length_text(far, 3),
-                        is_level(run) ? compass_point(x.last - x.first, y.last - y.first) : "away, on the tilted table,");
+    html += fmt::format("The tip ends {} {} where it started. ", length_text(far, 3),
+                        is_level(run) ? fmt::format("{} of", compass_point(x.last - x.first, y.last - y.first)) : "from");
   const Ends dx = ends(values(run.drawn, "drift_tip_x_m")), dy = ends(values(run.drawn, "drift_tip_y_m"));
   const double drift = real::hypot(dx.last, dy.last);
   if (drift > 0)
@@ -249,7 +250,7 @@ std::string tip_drift_html(const Run& run, Page& page) {
   const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
   std::string html = seen_html(run) + page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
                                                  "The distance of the two contact points and its parts. " + run.drawn_words);
-  if (std::isfinite(drift) && std::isfinite(bound))
+  if (run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
     html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
   return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run, run.drawn), tip_bound_figure(run, run.listed));
 }

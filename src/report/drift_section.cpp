@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/drift/drift.hpp"
 #include "report/drift_chart.hpp"
 #include "report/known_html.hpp"
 
@@ -48,7 +49,7 @@ std::string trend_of(const Run& run) {
   const auto rate = run.number("/drift/secular/azimuth_rate_rad_s");
   const auto bound = run.number("/drift/secular/azimuth_rate_bound_95_rad_s");
   if (rate && bound) {
-    html = fmt::format("<p>Trend: the azimuth drifts by {}, clockwise from above", known_html(*rate, *bound, "rad/s"));
+    html = fmt::format("<p>Trend: the azimuth drifts by {}, counted clockwise from above", known_html(*rate, *bound, "rad/s"));
     if (const auto turns = run.number("/drift/secular/turns_seen"))
       html += fmt::format(", over {} turns of precession; ± is the 95 % bound", number_html(*turns, "", 3));
     else
@@ -71,11 +72,16 @@ std::string events_of(const Run& run) {
   };
   std::string html;
   if (const std::string crossing = run.word("/drift/threshold_crossing"); !crossing.empty()) {
-    html += fmt::format("<p>Threshold of {}: {}", number_html(run.number("/drift/threshold_rad").value_or(0), "rad"),
-                        escaped(crossing));
-    if (const auto passed = run.number("/drift/threshold_time_s"))
-      html += ", passed at " + time(*passed, run.number("/drift/threshold_time_bound_s"));
-    html += ".</p>\n";
+    const auto passed = run.number("/drift/threshold_time_s");
+    const std::string threshold = "the threshold of " + number_html(run.number("/drift/threshold_rad").value_or(0), "rad");
+    if (crossing == to_string(ThresholdCrossing::not_reached))
+      html += "<p>The drift does not reach " + threshold + ".</p>\n";
+    else if (crossing == to_string(ThresholdCrossing::clear))
+      html += fmt::format("<p>The drift passes {} at {}.</p>\n", threshold,
+                          time(passed.value_or(kNoNumber), run.number("/drift/threshold_time_bound_s")));
+    else
+      html += fmt::format("<p>Within its error the drift may pass {} or not; as computed it {}.</p>\n", threshold,
+                          passed ? "passes it at " + number_html(*passed, "s", 9) : "does not");
   }
   for (std::size_t i = 0; const auto stop = run.number(fmt::format("/stops/{}/t_s", i)); ++i)
     html += fmt::format("<p>The {} prediction comes to rest at {}.</p>\n",

@@ -37,8 +37,10 @@ std::string untrusted_times(const Run& run) {
   for (std::size_t i = 0; const auto from = run.number(fmt::format("/drift/verdict_intervals/{}/from_s", i)); ++i) {
     const std::string at = fmt::format("/drift/verdict_intervals/{}/", i);
     const auto until = run.number(at + "until_s");
-    text += fmt::format(" From {} {}, the drift cannot be trusted: {}.", number_html(*from, "s"),
-                        until ? "to " + number_html(*until, "s") : "on", escaped(run.word(at + "text")));
+    const std::string begin = number_html(*from, "s"), end = until ? number_html(*until, "s") : "";
+    const bool is_moment = until && fmt::format("{:.7g}", *from) == fmt::format("{:.7g}", *until);
+    text += fmt::format(" {} {}{}, the drift cannot be trusted: {}.", is_moment ? "At" : "From", begin,
+                        is_moment ? "" : until ? " to " + end : " on", escaped(run.word(at + "text")));
   }
   if (const auto from = run.number("/drift/verdict_from_s"); from && text.empty())
     text = fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
@@ -117,7 +119,8 @@ double largest_gravity(const Run& run) {
 }
 
 std::string torques_html(const Run& run, Page& page) {
-  if (!run.scene || run.scene->costs()[0].work.steps > kBudgetSteps)
+  if (!run.scene) return "<p>Not computed: this version does not follow such a scene.</p>\n";
+  if (run.scene->costs()[0].work.steps > kBudgetSteps)
     return "<p>Not computed here for a run of this length; earthtop explain computes them.</p>\n";
   const Budget budget = effect_budget(*run.scene, run.watch);
   if (run.watch.asks_to_stop()) throw Interrupted();
@@ -163,7 +166,7 @@ std::string invariants_section(const Run& run) {
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
                     number_html(change / scale, "", 3)});
   }
-  if (rows.empty()) return "<p>Nothing is conserved in this scenario.</p>\n";
+  if (rows.empty()) return "<p>No conserved quantity is followed in this run.</p>\n";
   return table_html({"quantity", "at release", "largest change", "relative to its largest term"}, rows);
 }
 

@@ -124,7 +124,7 @@ std::string look(Run& run) {
     Scene scene = *run.scene;
     const bool chooses = scene.scenario().effects.automatic;
     const double seconds = seconds_to_look(scene) + (chooses ? selection_seconds(scene) : 0);
-    if (!(seconds <= kMostSeconds)) return fmt::format("to look between them would take about {:.1g} s", seconds);
+    if (!(seconds <= kMostSeconds)) return fmt::format("to look between them would take about {:.0f} s", seconds);
     if (chooses) select_effects(scene, run.watch);
     const double checked_s = run.number("/drift/reliable/at_s").value_or(reached);
     const SeenMotion seen = look_at_motion(scene, reached, checked_s, run.watch);

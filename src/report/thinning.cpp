@@ -63,7 +63,7 @@ std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count, con
     const std::size_t column = *table.find(name);
     if (rows.has_column(column) || !table.measure_of(column).of_contact) watched.push_back(column);
   }
-  const std::uint64_t rows_a_span = count <= kAllUpTo ? 1 : (count + kSpans - 1) / kSpans;
+  const auto span_of = [&](std::uint64_t row) { return count <= kAllUpTo ? row : row * kSpans / count; };
   std::vector<Row> kept;
   Span span(std::move(watched));
   Row row;
@@ -71,7 +71,7 @@ std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count, con
     if (i % 1024 == 0) compare::tell(watch, rows.share_read());
     if (!std::isfinite(row.t_s)) continue;
     span.add(row);
-    if ((i + 1) % rows_a_span == 0) span.flush(kept);
+    if (span_of(i + 1) != span_of(i)) span.flush(kept);
   }
   span.flush(kept);
   return kept;

@@ -13,7 +13,8 @@ namespace earthtop::report {
 /// The rows are divided into spans of equal numbers. The first and the last row of each span are kept, and those where one of
 /// the watched values is smallest or largest.
 inline constexpr const char* kThinningRule =
-    "of each of 250 spans the first and last row, and those where an axis drift, azimuth or tilt is least or largest";
+    "of each of 250 spans the first and last row, and those where a drift of axis, azimuth, tilt or tip, or the slip, is least "
+    "or largest";
 
 /// @param count  the number of rows; up to a thousand rows are all kept   @param watch  may stop the reading
 /// @throws Interrupted

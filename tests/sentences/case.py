@@ -18,8 +18,9 @@ class Case:
     """One or several sentences that commands print.
 
     commands   lines with the program's arguments, run one after the other in an empty directory; the last one is looked at. The
-               scenario lies there as s.json, the scenarios of the repository as scenarios/
-    says       what it prints, as a reader reads it: lines joined, tags of pages left out
+               scenario lies there as s.json, the scenarios of the repository as scenarios/; a line that ends in "> FILE" keeps in
+               the file what is printed
+    says       what it prints, as a reader reads it: lines joined, tags, styles and scripts of pages left out
     scenario   the name of a shipped scenario, or a whole one; None: there is no s.json
     set        changes of it, by JSON pointer; None leaves a key out
     unless     further changes, after which none of the sentences is printed (whatever the status is then): the sentence is said
@@ -70,13 +71,17 @@ class Case:
                     file.write(content if isinstance(content, bytes) else content.encode())
             done = None
             for line in [self.commands] if isinstance(self.commands, str) else self.commands:
+                line, _, kept = line.partition(" > ")
                 done = subprocess.run([program, *shlex.split(line)], cwd=directory, input=self.stdin or "", text=True,
                                       stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=600, check=False,
                                       env={**os.environ, "COLUMNS": "100", **self.environment})
+                if kept:
+                    with open(os.path.join(directory, kept), "w", encoding="utf-8") as file:
+                        file.write(done.stdout)
             text = done.stdout
             if self.page and os.path.exists(os.path.join(directory, self.page)):
                 with open(os.path.join(directory, self.page), encoding="utf-8") as file:
-                    text += "\n" + html.unescape(re.sub(r"<[^>]*>", "", file.read()))
+                    text += "\n" + html.unescape(re.sub(r"<(style|script)\b.*?</\1>|<[^>]*>", "", file.read(), flags=re.S))
             return done.returncode, re.sub(r"\s+", " ", text)
 
 

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the pages of `report` say and show, and what directories of results say of themselves."""
+import json
+import re
+
+from case import Case, changed
+
+RUN = ["run s.json --out r --quiet", "report r"]
+PAGE = "r/report.html"
+
+
+def page(says, scenario="toy-top", set=None, **more):
+    """A sentence on the page of a run."""
+    return Case(RUN, says, scenario, set or {}, page=PAGE, **more)
+
+
+def number(text, pattern):
+    return float(re.search(pattern.replace("#", r"([-+0-9.e]+)"), text).group(1))
+
+
+# Results that were not computed: rows of a top that stands upright.
+COLUMNS = ("t_s,q_LB_w,q_LB_x,q_LB_y,q_LB_z,w_LB_B_x_rad_s,w_LB_B_y_rad_s,w_LB_B_z_rad_s,axis_L_x,axis_L_y,axis_L_z,"
+           "ref_axis_L_x,ref_axis_L_y,ref_axis_L_z,drift_axis_rad,drift_axis_bound_rad")
+
+
+def results(rows, scenario=None, columns=COLUMNS, **drift):
+    names = columns.split(",")
+    lines = [",".join("1" if name in ("q_LB_w", "axis_L_z", "ref_axis_L_z") else str(0.5 * row) if name == "t_s" else "0"
+                      for name in names) for row in range(rows)]
+    summary = {"$schema": "earthtop-summary-1.json", "name": "upright", "drift": drift, "scenario": scenario,
+               "outcome": {"status": "completed", "reached_s": 0.5 * (rows - 1), "rows": rows}}
+    return {"r/summary.json": json.dumps(summary), "r/trajectory.csv": "\n".join([columns, *lines]) + "\n"}
+
+
+def read(says, files, **more):
+    return Case("report r", says, None, files=files, page=PAGE, **more)
+
+
+LONG = changed("toy-top", {"/motion/duration_s": 1e7, "/motion/output_step_s": 1e3})
+LEVEL = {"tip_radius_m": 0.002, "law": "frictionless"}
+TILTED = {**LEVEL, "table": {"tilt_deg": 2, "tilt_azimuth_deg": 30}}
+STOPS = {"/effects": {"coulomb_torque_N_m": 1e-3}, "/motion/duration_s": 5, "/motion/output_step_s": 1, "/release/spin_rad_s": 20,
+         "/criteria": None}
+LIFTS_OFF = {"/motion/duration_s": 5, "/criteria": None}
+
+DRIFT = [
+    Case("run s.json --out r",
+         ["Drift in azimuth and in tilt", "tilt, from the vertical", "bound on its error",
+          "Rotating minus non-rotating Earth; same attitude and same rates relative to the laboratory"],
+         set={"/motion/duration_s": 1}, page="r/drift.svg"),
+    page(["Azimuth, clockwise from above", "Rotating minus non-rotating Earth;", "Both on a logarithmic scale.",
+          "Angle between the two spin axes, and the bound on its error", "Rotating against non-rotating Earth;"],
+         set={"/motion/duration_s": 1}),
+    page(["Trend: the azimuth drifts by ", "counted clockwise from above, over ", " turns of precession; ± is the 95 % bound."],
+         set={"/motion/duration_s": 2}, unless={"/motion/duration_s": 1.5},
+         holds=lambda text: abs(number(text, "above, over # turns") - 2 / 1.61654) < 0.01),
+    page("Trend: not determined: the run covers 0.93 turns of precession", set={"/motion/duration_s": 1.5},
+         unless={"/motion/duration_s": 2}),
+    page(", counted clockwise from above: the mean of the run and no more, as friction acts.",
+         set={"/motion/duration_s": 2, "/effects": {"viscous_torque_N_m_s": 1e-6}}, unless={"/effects": None}),
+    page("First-order theory: 5.2", set={"/motion/duration_s": 1}),
+    page("After 1 s the axis stands 3.4",
+         set={"/motion/duration_s": 1}, holds=lambda text: "from where the non-rotating prediction puts it. Both predictions" in text),
+    # The angle at 1 s and its error, in arcseconds and in radians.
+    page(["The error of the angle at 1 s is at most ", ". In radians the angle is "], set={"/motion/duration_s": 1},
+         holds=lambda text: abs(number(text, "In radians the angle is #×") * 1e-5 * 206264.80625
+                                / number(text, "After 1 s the axis stands #″") - 1) < 1e-12),
+    page("The drift does not reach the threshold of 0.0001 rad.", set={"/motion/duration_s": 1, "/report": {"threshold_rad": 1e-4}},
+         unless={"/motion/duration_s": 8}),
+    page("The drift passes the threshold of 1e-05 rad at 0.2", set={"/motion/duration_s": 1, "/report": {"threshold_rad": 1e-5}},
+         unless={"/report/threshold_rad": 1e-4}),
+    # Dry friction: I3 w / T = 0.0002 kg m^2 * 20 rad/s / 1e-3 N m = 4 s.
+    page(["The rotating prediction comes to rest at 4.0", "The non-rotating prediction comes to rest at 4.0"],
+         "hard/spin-down", STOPS, unless={"/motion/duration_s": 3}),
+    page("At 4 s, the drift cannot be trusted: one motion is at rest and the other one moves on.", "hard/spin-down", STOPS,
+         unless={"/motion/duration_s": 3}),
+    page("From 6.248061 s on, the drift cannot be trusted: the Earth's own disturbance has grown to 0.1 rad.", "hard/h11-chaotic",
+         {"/motion/duration_s": 8, "/criteria": None}, unless={"/motion/duration_s": 6}),
+    read("From 3.5 s on, the drift cannot be trusted.",
+         results(20, verdict="chaotic", verdict_reason="it is made up", verdict_from_s=3.5,
+                 reliable={"at_s": 3, "axis_rad": 1e-5, "axis_bound_rad": 1e-9})),
+    page("No row of this run can be trusted.", "hard/k11-lift-off", {**LIFTS_OFF, "/motion/output_step_s": 5},
+         unless={"/motion/output_step_s": 0.001}),
+]
+
+SEEN = [
+    page("Drawn: the motion at 39 times, twelve or more in each of the axis's fastest swings.", set={"/motion/duration_s": 0.3}),
+    # The motion of 0.5 s is not drawn as that of the last row at its release.
+    page("Drawn: the output rows, since there is no row after the release.", "hard/k11-lift-off",
+         {**LIFTS_OFF, "/motion/output_step_s": 5}, unless={"/motion/output_step_s": 0.001}),
+    read("to look between them would take about ", results(20, LONG),
+         holds=lambda text: number(text, "would take about # s") > 3),
+    read(["500 of 1301, of each of 250 spans the first and last row, and those where a drift of axis, azimuth, tilt or tip, or the "
+          "slip, is least or largest. What the motion does between them is not seen."], results(1301, LONG)),
+    read("Drawn: the output rows, since this version does not follow such a scene.", results(20, {"sheep": 1})),
+    read("its trajectory.csv has no ref_axis_L_x; run the scenario again",
+         results(20, LONG, "t_s,axis_L_x,drift_axis_rad,drift_axis_bound_rad"), status=2),
+    page(["The axis has too many swings and turns to show them all: drawn are the last 2.4 s.",
+          "windows, each as long as one of the axis's fastest swings and seen at 15 times."], "hard/h21-thirty-days",
+         {"/motion/duration_s": 900, "/motion/output_step_s": 300, "/criteria": None}, unless={"/motion/duration_s": 2}),
+    page("The axis has too many swings to show each: drawn is its mean over one, at ", "hard/spin-down",
+         {"/motion/duration_s": 6, "/criteria": None}, unless={"/motion/duration_s": 0.5}),
+]
+
+TABLE = [
+    page(["Distance of the two contact points", "Drift of the contact point", "to the East", "to the North",
+          "Distance of the two contact points, and the bound on its error", "Rotating against non-rotating Earth",
+          "The distance of the two contact points and its parts.", "Slip and normal force", "On the table",
+          "Slip of the contact point over the table, and the force of the table on it.", "prediction x (m)prediction y (m)",
+          "drift x (m)drift y (m)", "Path of the contact point", "Seen from above. The prediction to scale, its drift drawn 2000 times",
+          "with Earth rotation, drift ×2000", "Rings: start. Dots: end."], "toy-top-on-table",
+         {"/contact": LEVEL, "/motion/duration_s": 0.5}, unless={"/contact": None}),
+    page(["The table's normal force stays between 0.7259 N and 1.232 N.", "South-East of where it started.",
+          "The prediction to scale, its drift drawn 2000 times as large; the drift is 573 nm at most."], "toy-top-on-table",
+         {"/contact": LEVEL, "/motion/duration_s": 0.5}, unless={"/release/azimuth_deg": 0, "/release/spin_rad_s": 180}),
+    page([" from where it started. The Earth's rotation moves its end by ", " along the table's axes).",
+          "the table's axis 1", "the table's axis 2", "along axis 1", "along axis 2"],
+         "toy-top-on-table", {"/contact": TILTED, "/motion/duration_s": 0.5}, unless={"/contact": LEVEL}),
+    page("Its slip falls from 0.137 m/s to 0.00", "toy-top-on-table", {"/motion/duration_s": 0.5},
+         unless={"/motion/duration_s": 0.05}),
+    page(["It rolls throughout.", "The table's normal force is 0.9807 N throughout."], "rolling-ball", {"/motion/duration_s": 1},
+         unless={"/contact": {"tip_radius_m": 0.02, "law": "viscous", "sliding_viscosity_N_s_m": 0.05}}),
+    # A run that ends before its first row says nothing of what the motion does.
+    Case(RUN, "Drawn: the output rows", "hard/k11-lift-off", {**LIFTS_OFF, "/motion/output_step_s": 5}, page=PAGE,
+         holds=lambda text: "normal force is" not in text and "At the end the distance" not in text),
+    page("Nobody knows a coefficient of friction to 1 %: the drift, with the same friction in both predictions, is well defined",
+         "toy-top-on-table", {"/motion/duration_s": 0.5}, unless={"/contact": LEVEL}),
+    page(["Few tables are level to an arcsecond: the drift, on the same table in both predictions, is well defined",
+          "How far the prediction itself moves by 0.5 s, with inputs that nobody knows well:", "axis moves by", "tip moves by"],
+         "toy-top-on-table", {"/contact": LEVEL, "/motion/duration_s": 0.5}, unless={"/contact": None}),
+    page(["Jacobi integral, by the work of friction", "Jellett's integral, by the Earth and friction's moment", "integral of its rate",
+          "The contact changes these quantities at a known rate; from the release to the last row:"], "toy-top-on-table",
+         {"/motion/duration_s": 0.5}, unless={"/contact": None}),
+    page("The Earth's rotation makes it 1.31328006", "hard/k12-sliding-ball", {"/criteria": None},
+         holds=lambda text: text.count("-06 s later.") == 2),
+]
+
+REST = [
+    page("of small amplitude; this release does not nutate",
+         set={"/motion/duration_s": 1, "/release": {"tilt_deg": 0, "spin_rad_s": 200}},
+         unless={"/release": {"tilt_deg": 20, "spin_rad_s": 200}}),
+    page(["Largest torques", "Solid: modelled. Hatched: left out.", "largest torque (N m)", "changes the drift by (rad)"],
+         set={"/motion/duration_s": 1}),
+    read("Not computed here for a run of this length; earthtop explain computes them.", results(20, LONG)),
+    read("Not computed: this version does not follow such a scene.", results(20, {"sheep": 1})),
+    page("No conserved quantity is followed in this run.", set={"/motion/duration_s": 1, "/effects": {"viscous_torque_N_m_s": 1e-6}},
+         unless={"/effects": None}),
+    page(["relative to its largest term", "jacobi_integral"], set={"/motion/duration_s": 1},
+         unless={"/effects": {"viscous_torque_N_m_s": 1e-6}}),
+    page(["mean step (s)", "Path of the axis", "The top in motion", "Make it again",
+          "earthtop report again", "With every default filled in."], set={"/motion/duration_s": 1}),
+    page("WGS 84 normal gravity at latitude and height [GeographicLib]", set={"/motion/duration_s": 1, "/site": {"latitude_deg": 45}},
+         unless={"/site": {"latitude_deg": 45, "gravity_m_s2": 9.80665}}),
+    Case("run s.json --out r --json", "one unit of the input, as its name says",
+         set={"/motion/duration_s": 0.5, "/report": {"sensitivities": True}}, unless={"/report": None}),
+]
+
+CASES = [*DRIFT, *SEEN, *TABLE, *REST]
