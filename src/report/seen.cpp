@@ -98,9 +98,9 @@ void take_looks(Run& run, std::span<const DriftRow> looks, std::size_t a_window,
     run.played_words = run.drawn_words;
     return;
   }
-  run.drawn_words =
-      fmt::format("Drawn: the motion in {} windows, each as long as one of the axis's fastest swings and seen at {} times.",
-                  count / a_window, a_window);
+  run.drawn_words = fmt::format(
+      "Drawn: the motion in {} windows, each a little longer than one of the axis's fastest swings and seen at {} times.",
+      count / a_window, a_window);
   run.played = {means_of(run.drawn.rows, a_window), 0, true};
   run.played_is_mean = true;
   run.played_words = fmt::format("The axis has too many swings to show each: drawn is its mean over one, at {} times.",
