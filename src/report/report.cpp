@@ -45,7 +45,7 @@ Report document_page(const std::filesystem::path& file) {
   if (schema == "earthtop-plan-1.json") return plan_page(document);
   if (document.contains("scenarios") && document.contains("processor")) return bench_page(document);
   compare::refuse_path(file,
-                       "is no document of compare --json or bench --json; give one, or a directory of results or of a study");
+                       "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
       return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what, watch);
     default:
       compare::refuse_path(what,
-                           "is neither the results of a run nor a study; give one of them, or a document of compare or bench");
+                           "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
   }
 } catch (const report::Json::exception& error) {
   compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", error.what()));

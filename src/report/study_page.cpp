@@ -6,6 +6,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "input/text_edit.hpp"
+#include "report/known_html.hpp"
 #include "report/pages.hpp"
 #include "report/shell.hpp"
 #include "report/study_points.hpp"
@@ -35,13 +36,18 @@ std::string statistics_section(const Json& study) {
 std::string fits_section(const Json& study) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& fit : study.value("fits", Json::array())) {
-    const auto with_error = [&](const char* name, const char* error) {
-      return shown(fit.value(name, Json())) + " ± " +
-             number_html(fit.value(error, Json()).is_number() ? fit.at(error).get<double>() : NAN, "", 2);
+    const auto number = [&](const char* name) {
+      const Json value = fit.value(name, Json());
+      return value.is_number() ? value.get<double>() : NAN;
     };
+    const auto with_error = [&](const char* name, const char* error) {
+      return std::isfinite(number(error)) ? known_html(number(name), number(error), ReadableUnit{"", "", 1}) : shown(fit.value(name, Json()));
+    };
+    const bool power = fit.value("kind", "") == "power_law";
     rows.push_back({escaped(fit.value("kind", "")), escaped(fit.value("quantity", "")), escaped(fit.value("axis", "")),
                     with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
-                    shown(fit.value("residual_rms", Json()))});
+                    shown(fit.value(power ? "residual_rms_of_logarithm" : "residual_rms", Json())) +
+                        (power ? " of the logarithm" : "")});
   }
   return rows.empty() ? "" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
 }

@@ -167,7 +167,7 @@ constexpr auto kDriftMembers = [] {
                [](R r) { return mean_precession_rate_change(*r.drift.secular); }),
       compared("drift.secular.turns_seen", derived, motion, kFromRows, [](R r) { return r.drift.secular->turns_seen; }),
       told(
-          "drift.secular.window_s", kFromRows, kOfScenario, [](R r) { return r.drift.secular->window_s; }, document),
+          "drift.secular.window_s", kFromRows, kIsMarked, [](R r) { return r.drift.secular->window_s; }, document),
       told("drift.secular.mean_of_window", kFromRows, kWords, [](R r) { return r.drift.secular->of_window; }),
       told("drift.secular.reason", kFromRows, kWords, [](R r) { return r.drift.secular->reason; }),
       object_or_null("drift.oscillation", [](R r) { return r.drift.secular.has_value(); }),

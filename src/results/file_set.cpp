@@ -181,11 +181,11 @@ struct FileSet::File {
   bool is_set_aside = false;  // the old version has been moved to `last`
 };
 
-FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Watch& watch)
+FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Watch& watch, std::chrono::seconds patience)
     : dir_(std::move(dir)), watch_(watch) {
   try {
     make_directory();
-    lock();
+    lock(patience);
     for (const std::string_view name : names) {
       files_.push_back(std::make_unique<File>(dir_, name));
       if (name != names.back()) remove_left(name);
@@ -222,11 +222,12 @@ void FileSet::remove_left(std::string_view name) const {
   for (const fs::path& left : temporaries(dir_, name)) ::unlink(left.c_str());
 }
 
-void FileSet::lock() {
-  lock_.emplace(dir_, DirectoryLock::Mode::exclusive, watch_);
+void FileSet::lock(std::chrono::seconds patience) {
+  lock_.emplace(dir_, DirectoryLock::Mode::exclusive, watch_, patience);
   if (lock_->is_busy())
     throw WriteError(dir_.string(),
-                     "another run has been writing there for 10 s; wait until it has ended, or choose another --out");
+                     fmt::format("another run has been writing there for {} s; wait until it has ended, or choose another --out",
+                                 patience.count()));
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {

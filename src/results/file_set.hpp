@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <list>
@@ -69,8 +70,10 @@ class FileSet {
   /// Makes the directory and locks it, so that no other run writes there meanwhile (where the file system can lock).
   /// @param names  all files of the set; the seal last
   /// @param watch  may stop the work until `commit` puts the first file in place; Interrupted is then thrown
+  /// @param patience  how long another writer is waited for
   /// @throws WriteError
-  FileSet(std::filesystem::path dir, std::span<const std::string_view> names, const Watch& watch = {});
+  FileSet(std::filesystem::path dir, std::span<const std::string_view> names, const Watch& watch = {},
+          std::chrono::seconds patience = DirectoryLock::kPatience);
   /// Unless the set was committed, removes its temporary files and the directories that it made.
   ~FileSet();
   FileSet(const FileSet&) = delete;
@@ -92,7 +95,7 @@ class FileSet {
   struct File;
   File& file(std::string_view name);
   void make_directory();
-  void lock();
+  void lock(std::chrono::seconds patience);
   void remove_left(std::string_view name) const;
   void sync() const;
   void replace();

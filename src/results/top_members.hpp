@@ -39,7 +39,7 @@ inline constexpr auto kTopMembers = [] {
                            [](R r) { return period_of(r.scene.top().fast_precession_rad_s); })),
       of_scenario(
           compared("top.mean_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().mean_precession_rad_s; })),
-      of_scenario(told("top.mean_precession_bound_rad_s", kAtEnd, kOfScenario,
+      of_scenario(told("top.mean_precession_bound_rad_s", kAtEnd, kIsBounded,
                        [](R r) { return r.scene.top().mean_precession_bound_rad_s; })),
       of_scenario(compared("top.mean_precession_period_s", derived, any, kAtEnd,
                            [](R r) { return period_of(r.scene.top().mean_precession_rad_s); })),

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -102,6 +104,69 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   for (const SummaryMember& member : summary_members())
     EXPECT_TRUE(written.contains(&member) || member.form == MemberForm::object || member.form == MemberForm::list)
         << member.path;
+}
+
+/// What the table says of each member that is not compared is true of it.
+TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
+  const auto under = [](std::string_view path, std::initializer_list<std::string_view> places) {
+    return std::any_of(places.begin(), places.end(), [&](std::string_view place) { return path.starts_with(place); });
+  };
+  const auto named = [](std::string_view path, std::initializer_list<std::string_view> names) {
+    const std::string_view last = path.substr(path.find_last_of('.') + 1);  // the whole where there is no dot
+    return std::find(names.begin(), names.end(), last) != names.end();
+  };
+  /// Whether the member of the same path with another part is compared.
+  const auto other_is_compared = [](std::string_view path, std::string_view part, std::string_view other) {
+    std::string name(path);
+    const std::size_t at = name.find(part);
+    if (at == name.npos) return false;
+    const SummaryMember* member = find_member(name.replace(at, part.size(), other));
+    return member && is_compared(*member);
+  };
+  using Path = std::string_view;
+  const std::map<Path, std::function<bool(Path)>> truths = {
+      {"it only names what is next to it",
+       [&](Path path) { return named(path, {"$schema", "name", "title", "unit", "statement", "per"}); }},
+      {"it repeats the scenario, whose keys are compared",
+       [&](Path path) { return under(path, {"matching_rule.", "headline.", "provenance.constants.", "provenance.scenario"}); }},
+      {"it says in words what other members say in numbers",
+       [&](Path path) {
+         return named(path, {"reason", "verdict_reason", "why", "text", "numbers", "notes", "left_out", "applies",
+                             "mean_of_window"});
+       }},
+      {"it belongs to a row, and the rows are compared", [&](Path path) { return under(path, {"drift.reliable."}); }},
+      {"of two nearly equal values either may be the largest",
+       [&](Path path) { return other_is_compared(path, "_at_s", "_rad") || other_is_compared(path, "_at_s", "_m"); }},
+      {"the value that it belongs to is compared", [&](Path path) { return other_is_compared(path, "_bound", ""); }},
+      {"it says which rows are marked, and the marks are compared",
+       [&](Path path) { return under(path, {"drift.verdict_intervals.", "drift.secular.window_s"}); }},
+      {"missing and extra rows are findings of their own", [&](Path path) { return path == "outcome.rows"; }},
+      {"it repeats a figure that is compared", [&](Path path) { return other_is_compared(path, ".digits", ""); }},
+      {"it says where the result comes from", [&](Path path) { return under(path, {"provenance."}); }},
+      {"it checks a column or a figure, which is compared itself, against the scenario's number",
+       [&](Path path) { return under(path, {"headline."}); }},
+      {"the effects modelled are compared", [&](Path path) { return under(path, {"effects.left_out", "selection."}); }},
+      {"it is the error that rounding and the integration leave in numbers that are compared",
+       [&](Path path) { return named(path, {"balance_J", "balance_kg_m3_s", "balance_over_size"}); }},
+      {"it is the work that the search for a tolerance took", [&](Path path) { return path == "accuracy.attempts"; }},
+      {"its keys are compared one by one, before any figure", [&](Path path) { return path == "scenario"; }},
+  };
+  std::set<Path> used;
+  for (const SummaryMember& member : summary_members()) {
+    if (member.kind != FigureKind::not_compared) continue;
+    if (member.form == MemberForm::object || member.form == MemberForm::list) {
+      EXPECT_EQ(member.why_not, "it only holds other members") << member.path;
+      continue;
+    }
+    const auto truth = truths.find(member.why_not);
+    if (truth == truths.end())
+      ADD_FAILURE() << member.path << ": " << member.why_not;
+    else
+      EXPECT_TRUE(truth->second(member.path)) << member.path << ": " << member.why_not;
+    used.insert(member.why_not);
+  }
+  EXPECT_EQ(used.size(), truths.size()) << "a reason is no member's";
+  EXPECT_TRUE(is_compared(*find_member("drift_reliable")) || find_member("effects.modelled.0"));
 }
 
 // A study takes a part of the summary, which is what stands there in the whole.

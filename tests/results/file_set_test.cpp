@@ -155,5 +155,22 @@ TEST_F(FileSetTest, AnotherWriterIsWaitedFor) {
   ::close(from_child[1]);
 }
 
+TEST_F(FileSetTest, AWriterThatDoesNotEndIsNotWaitedForWithoutEnd) {
+  put(kOld);
+  const int other = ::open(dir_.c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  try {
+    FileSet set(dir_, kNames, {}, std::chrono::seconds(0));
+    ADD_FAILURE() << "the directory is taken";
+  } catch (const WriteError& error) {
+    EXPECT_NE(std::string(error.what()).find("another run has been writing there for 0 s; wait until it has ended, or choose"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_EQ(present(), kOld);
+  ::close(other);
+  EXPECT_NO_THROW(FileSet(dir_, kNames, {}, std::chrono::seconds(0))) << "it has ended";
+}
+
 }  // namespace
 }  // namespace earthtop

@@ -86,6 +86,7 @@ TEST(RowArrays, AreAllAmongTheKindsThatThereAre) {
   std::string columns(kTimeColumn);
   for (const Column& column : trajectory_columns()) columns += "," + column.name;
   EXPECT_EQ(header_of(row_array_kinds()), columns);
+  EXPECT_EQ(row_array_kinds().front().meaning, "time since the release");
   EXPECT_EQ(torque_array_kinds().size(), torque_quantities().size() + 1);
 }
 

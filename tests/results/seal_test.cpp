@@ -98,6 +98,27 @@ TEST_F(Damage, IsNotSoughtInResultsWithoutChecksums) {
   EXPECT_NO_THROW(make_report(dir_));
 }
 
+TEST_F(Damage, SaysWhichFileIsMissingOrWrong) {
+  const auto refusal = [&] {
+    try {
+      read_result_texts(dir_);
+      return std::string("accepted");
+    } catch (const ScenarioError& error) {
+      return std::string(error.what());
+    }
+  };
+  write_results(test::made_up_run(), dir_, false);
+  put(dir_ / "summary.json", summary_json(test::made_up_run()));  // without checksums
+  const std::string good = read(dir_ / "trajectory.csv");
+  EXPECT_EQ(refusal(), "accepted");
+  put(dir_ / "trajectory.csv", std::string(good).replace(0, 3, "\"t_s\""));
+  EXPECT_NE(refusal().find("has quotation marks, which no table of results has; run the scenario again"), std::string::npos);
+  put(dir_ / "trajectory.csv", std::string(good).replace(0, 3, "t_z"));
+  EXPECT_NE(refusal().find("has no column t_s; run the scenario again"), std::string::npos) << refusal();
+  fs::remove(dir_ / "trajectory.csv");
+  EXPECT_NE(refusal().find("holds no results: it has no trajectory.csv"), std::string::npos);
+}
+
 /// Files without checksums are read by `read_result_texts` as strictly as those with.
 TEST_F(Damage, IsSeenByTheFormatWhereThereAreNoChecksums) {
   write_results(test::made_up_run_with_ledger(), dir_, false);

@@ -31,8 +31,10 @@ std::string head(const BenchReport& report, ErrorKind kind, std::size_t width) {
       wrapped(fmt::format("{}, {:g} s: {}", report.scenario, report.duration_s, workload_text(report.workload)), width, 2) +
       '\n';
   const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, width, 11); };
-  add("Processor", fmt::format("{}; seconds of one core, median of up to {} repetitions, [least, most]",
-                               processor_description(), report.options.repetitions));
+  const int repetitions = report.options.repetitions;
+  add("Processor", fmt::format("{}; seconds of one core, {}", processor_description(),
+                               repetitions == 1 ? "timed once"
+                                                : fmt::format("median of up to {} repetitions, [least, most]", repetitions)));
   add("Errors", fmt::format("largest of {} checkpoints (rad); the largest drift is {:.3g} rad; compared: {}",
                             report.options.checkpoints, report.largest_drift, to_string(kind)));
   add("Reference", report.reference.source);

@@ -48,11 +48,11 @@ int report_verb(const ReportArguments& arguments) {
 
 Verb describe_report() {
   auto arguments = std::make_shared<ReportArguments>();
-  Verb report("report", "write one self-contained HTML page about a run, a study, a comparison or a bench",
+  Verb report("report", "write one self-contained HTML page about a run, a study, a comparison, a plan or a bench",
               [arguments] { return report_verb(*arguments); });
   report
       .add("WHAT", &arguments->what,
-           "the directory of a run or a study, or a document of compare --json or bench --json; - is standard input")
+           "the directory of a run or a study, or a document of compare, plan or bench --json; - is standard input")
       .required();
   report.add("--out", &arguments->out, "the page; default: report.html in the directory, or the document's name with .html")
       .called("FILE");
