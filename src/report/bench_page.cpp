@@ -173,8 +173,9 @@ Report bench_page(const Json& document) {
                      page.chart_of_marks(
                          fmt::format("bench{}", i), bench_chart(scene, entries), marks,
                          "Error against processor time. Marks further down or to the left are better; no mark beats those on "
-                         "the front in both. Filled marks: the reduced equations; hollow ones: the general equations, "
-                         "dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: float128.") +
+                         "the front in both. Filled marks: the reduced equations, or a method's own; hollow ones: the general "
+                         "equations, dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: "
+                         "float128.") +
                      entries_table(scene));
   }
   return page.finish();

@@ -158,4 +158,139 @@ REST = [
          set={"/motion/duration_s": 0.5, "/report": {"sensitivities": True}}, unless={"/report": None}),
 ]
 
-CASES = [*DRIFT, *SEEN, *TABLE, *REST]
+MEASURE = ["plan s.json --measure azimuth_deg --sigma 0.01 --every 1 --until 10 --write-data m.csv --quiet"]
+MEASURED = [*MEASURE, "compare s.json m.csv {} --json > c.json", "report c.json"]
+
+
+def measured(says, options="", scenario="toy-top", set=None, **more):
+    """A sentence on the page of a simulated measurement, compared with a scenario."""
+    commands = [line.replace("{}", options) for line in MEASURED]
+    return Case(commands, says, scenario, set or {}, page="c.html", **more)
+
+
+def planned(says, options="", set=None, **more):
+    plan = "plan s.json --measure azimuth_deg --sigma 0.01 --every 1 --until 10 --json "
+    return Case([f"{plan}{options} > p.json", "report p.json"], says, "toy-top", set or {}, page="p.html", **more)
+
+
+FIT = "--estimate spin_rad_s --estimate tilt_deg"
+KNOWN = {"/uncertainty": {"tilt_deg": 1e-4, "latitude_deg": 1}}
+DOCUMENTS = [
+    measured([": they agree.", "chi-squared as given", " with 11 degrees of freedom, p-value ", "Data and model",
+              "The measured values, the model, and their difference in standard errors. Azimuths are counted beyond whole turns",
+              "The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors",
+              "Residuals in standard errors, and the counts expected of independent, normally distributed errors of the stated"],
+             unless={"/motion/duration_s": 5}),
+    measured([": they do not agree.", "does not agree", "correlated over 2 s, as stated; chi-squared counts the part of each residual",
+              "What is new in each residual after those before it, and the counts expected"],
+             "--correlation-time 2 --set /release/spin_rad_s=201"),
+    measured(["standard error from the scatter, if larger", "Residuals after the fit", "chi-squared after the fit"], FIT),
+    measured(["latitude_deg was not used: it is not estimated; add --estimate latitude_deg to use it",
+              "the estimate differs by, in these errors", "Known beforehand"], FIT + " --priors", set=KNOWN,
+             unless={"/uncertainty": {"spin_rad_s": 1}}),
+    measured(["Each error by itself would shift spin_rad_s by one standard error.", "stated standard error",
+              "error that shifts by one standard error"], FIT, set=KNOWN),
+    planned(["value / standard error", "standard error if the others were known", "What a change would do",
+             "The Cramér-Rao bound of the standard error when one thing in the plan is changed",
+             "Each error by itself would shift omega_sin_latitude_rad_s by one standard error."]),
+    planned(["errors are correlated over2 s"], "--correlation-time 2"),
+    planned(["Best within the limits", "The standard error there is", "at a limit"], "--optimise /release/tilt_deg=5:60"),
+    # The best tilt is 18.2 degrees; within 30 and 60 it is 30.
+    planned("/release/tilt_deg303060yes20", "--optimise /release/tilt_deg=30:60"),
+    planned("standard error if it were known exactly", "--nuisance spin_rad_s"),
+    Case("report p.json", "is not as this program writes it; write it anew ([json.exception.type_error.302] a plan has an estimate)",
+         None, status=2, files={"p.json": json.dumps({"$schema": "earthtop-plan-1.json", "scenario": {"name": "a"}, "estimates": []})}),
+    Case("report p.json", "is no document of compare, plan or bench --json; give one, or a directory of results or of a study", None,
+         status=2, files={"p.json": "{}"}),
+    Case("report r", "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench", None,
+         status=2, files={"r/notes.txt": "mine"}),
+]
+
+PAIR = ["run s.json --out a --quiet", "run s.json --out b --quiet --set {}", "compare a b --json > c.json", "report c.json"]
+
+
+def compared(says, change, **more):
+    return Case([line.replace("{}", change) for line in PAIR], says, "toy-top",
+                {"/motion/duration_s": 1, "/motion/output_step_s": 0.25}, page="c.html", **more)
+
+
+def pairs(count):
+    """A comparison of as many results, none of which has changed."""
+    same = {"name": "top", "verdict": "same", "new": "a/top", "reference": "b/top", "conclusion": "Nothing has changed."}
+    return {"c.json": json.dumps({"$schema": "earthtop-comparison-1.json", "verdict": "same", "new": "a", "reference": "b",
+                                  "profile": "regression", "conclusion": ["Nothing has changed."], "pairs": [same] * count})}
+
+
+COMPARED = [
+    compared(["Size of the difference in the angle between the two spin axes, and its tolerance, at rows that both have.",
+              "drift_axis_rad, beyond its tolerance", "first beyond it"], "/site/latitude_deg=46"),
+    compared(["Differences over time", "spin phase", ", within its tolerance"], "/name=other",
+             holds=lambda text: "beyond its tolerance" not in text),
+    Case("report c.json", "Results shown: 20 of 21; the others are in the document.", None, files=pairs(21), page="c.html"),
+    Case("report c.json", "Comparison of a with b", None, files=pairs(20), page="c.html",
+         holds=lambda text: "the others are in the document" not in text),
+]
+
+STUDY = {"$schema": "earthtop-study-1.json", "name": "rates", "title": "A study", "base": "scenarios/toy-top.json",
+         "set": {"/motion/duration_s": 0.1, "/motion/output_step_s": 0.1},
+         "axes": [{"name": "rate", "pointer": "/earth/rotation_rate_rad_s", "log_range": {"from": 1e-5, "to": 1e-3, "points": 3}}],
+         "design": {"kind": "grid"}, "collect": ["drift.axis_final_rad"],
+         "fits": [{"kind": "power_law", "axis": "rate", "quantity": "drift.axis_final_rad"}],
+         "figures": [{"figure": "/fits/0/b", "value": 1, "tolerance": 1e-3, "origin": "The drift is proportional to the rate."}]}
+DRAWN = {**STUDY, "fits": [], "figures": [{"figure": "/points/2000/drift.axis_final_rad", "value": 1, "tolerance": 1e-3, "origin": "No."}],
+         "set": {"/motion/duration_s": 0.01, "/motion/output_step_s": 0.01},
+         "axes": [{"name": "rate", "pointer": "/earth/rotation_rate_rad_s", "range": {"from": 1e-5, "to": 1e-3}},
+                  {"name": "tilt", "pointer": "/release/tilt_deg", "range": {"from": 10, "to": 30}}]}
+
+
+def study(says, document, commands=("study t.json --out t",), **more):
+    return Case([*commands], says, None, files={"t.json": json.dumps(document)}, **more)
+
+
+STUDIES = [
+    study(["Fits (standard errors from the scatter)", "(rms, of the logarithm)", "Figures known from elsewhere",
+           "met: /fits/0/b = 1.000000", "stated 1 +- 0.001, The drift is proportional to the rate."], STUDY,
+          holds=lambda text: abs(number(text, "b = # ") - 1) < 1e-6),
+    study(["Figures known from elsewhere", "The points", "earthtop report again", "over rate", " of the logarithm",
+           "3 of 3 points computed, 0 failed."], STUDY, ("study t.json --out t --quiet", "report t"), page="t/report.html",
+          # b is 1.00000033 and its error 1.5e-7: as many digits as are known.
+          holds=lambda text: re.search(r"1\.00000\d\d ± 1\.\de-07|1\.00000\d\d ± 0\.0000001\d", text)),
+    study(["Where the points lie", "1001 of 1001 points computed, 0 failed."], {**DRAWN, "design": {"kind": "random", "points": 1001}},
+          ("study t.json --out t --quiet", "report t"), page="t/report.html"),
+    study("The points", {**DRAWN, "design": {"kind": "random", "points": 1000}}, ("study t.json --out t --quiet", "report t"),
+          page="t/report.html", holds=lambda text: "Where the points lie" not in text),
+    # Nearly all of the drift's variance is that of the rate, to which it is proportional.
+    study(["Sobol indices of drift.axis_final_rad", "first order", "NOT MET: /points/2000/drift.axis_final_rad is missing; stated 1"],
+          {**DRAWN, "design": {"kind": "sobol", "points": 32, "indices": True}},
+          holds=lambda text: abs(number(text, r"total order rate # ") - 1) < 0.3),
+    study('stops is a list, to be followed by a number of at least 0, not by "first"', {**STUDY, "collect": ["stops.first.t_s"]},
+          status=2),
+    study("Points 3 of 3, 0 failed", {**STUDY, "fits": [], "figures": [], "collect": ["stops.0.t_s"]}, status=0),
+]
+
+BENCH = "bench s.json --duration 0.05 --methods taylor --reference-limit 1 --repetitions 1 {}"
+BENCHES = [
+    Case(BENCH.replace("{}", "--workload axis"),
+         ["one motion, the axis alone where the method allows it", "seconds of one core, timed once", " rad in the axis, ",
+          "good to "]),
+    Case(BENCH.replace("{}", ""), "both motions and the drift between them"),
+    Case(BENCH.replace("1 {}", "2 --brief"), "seconds of one core, median of up to 2 repetitions, [least, most]"),
+    Case([BENCH.replace("{}", "--json > b.json"), "report b.json --svg"],
+         ["Speed against error", "Error against processor time. Marks further down or to the left are better; no mark beats those on",
+          "One scenario; ", "toy-top: error against cost"], page="b.html"),
+]
+
+WRITTEN = [
+    Case("run s.json --out r", "trajectory.csv in it is a directory; choose another --out", status=2,
+         files={"r/trajectory.csv/x": ""}),
+    Case("run s.json --out ''", "the directory's name is empty; give a name", status=2),
+    Case(["run s.json --out r --quiet", "report r --out r/torques.csv", "run s.json --out r"],
+         "its torques.csv does not belong to this scenario's results; choose another --out, or --force to remove it", status=2,
+         set={"/motion/duration_s": 0.5}),
+    Case(["run s.json --out r --quiet", "report r --out r/torques.csv", "run s.json --out r --force"], "Written r: trajectory.csv",
+         set={"/motion/duration_s": 0.5}),
+    Case("report r", "is damaged: it is not what was written, or a run is writing there; run the scenario again", None, status=2,
+         files={**results(3, LONG), "r/summary.json": '{\n  "name": "a",\n  "checksum": "0123456789abcdef"\n}\n'}),
+]
+
+CASES = [*DRIFT, *SEEN, *TABLE, *REST, *DOCUMENTS, *COMPARED, *STUDIES, *BENCHES, *WRITTEN]
