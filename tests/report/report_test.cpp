@@ -198,6 +198,21 @@ TEST(Report, AComparisonShowsEveryVerdict) {
     EXPECT_NE(html.find(text), html.npos) << text;
 }
 
+/// Under the pointer a mark says what it is, and whether it is on the front.
+TEST(Report, AMarkOfABenchSaysWhatItIs) {
+  const TemporaryDirectory dir;
+  std::ofstream(dir.path() / "b.json") << R"({"processor": "a", "scenarios": [{"scenario": "top", "compared_error": "axis",
+    "reference": {"error": {"axis_rad": 1e-13}}, "entries": [
+    {"method": "taylor", "equations": "reduced, laboratory", "precision": "double", "relative_tolerance": 1e-08, "seconds": 0.001,
+     "error": {"axis_rad": 1e-12}, "on_front": true},
+    {"method": "gauss", "equations": "general, body", "precision": "double", "step_s": 0.5, "seconds": 0.002,
+     "error": {"axis_rad": 2e-11}, "on_front": false}]}]})";
+  const std::string html = page_of(dir.path() / "b.json");
+  for (const char* text : {"taylor, reduced, laboratory, double, tolerance 1e-08: 0.001 s, error 1e-12 rad; on the front\"",
+                           "gauss, general, body, double, step 0.5 s: 0.002 s, error 2e-11 rad\""})
+    EXPECT_NE(html.find(text), html.npos) << text;
+}
+
 /// A comparison with a measurement as if it had been made: azimuths that go round once, and a tilt.
 MeasurementReport made_up_measurement() {
   MeasurementReport report;
@@ -232,7 +247,7 @@ TEST(Report, AMeasurementShowsWhatItSays) {
   for (const char* text :
        {"they <strong>agree",
         "the Earth&#39;s rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen, zero is excluded at 17 sigma",
-        "Taken as exact", "would shift omega_sin_latitude_rad_s by one standard error", "0.002 m/s", "a&lt;top",
+        "Taken as exact", "would shift omega_sin_latitude_rad_s by one standard error", "0.002</data> m/s", "a&lt;top",
         "Correlation of the estimates", "-0.25</data>", "Known beforehand", "it is &lt;not&gt; estimated",
         "data-chart=\"data\"", "data-chart=\"residuals\""})
     EXPECT_NE(html.find(text), html.npos) << text;
