@@ -134,7 +134,8 @@ Report comparison_page(const Json& document) {
                  pair_html(*shown[i], i, pairs.size() == 1, page));
   }
   if (shown.size() < pairs.size())
-    page.section("more", "More", fmt::format("<p>Results shown: {} of {}; the others are in the document.</p>\n", shown.size(), pairs.size()));
+    page.section("more", "More",
+                 fmt::format("<p>Results shown: {} of {}; the others are in the document.</p>\n", shown.size(), pairs.size()));
   return page.finish();
 }
 

@@ -61,8 +61,8 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
     case ComparandKind::store:
       return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what, watch);
     default:
-      compare::refuse_path(what,
-                           "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
+      compare::refuse_path(
+          what, "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
   }
 } catch (const report::Json::exception& error) {
   compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", error.what()));

@@ -40,7 +40,10 @@ std::string untrusted_times(const Run& run) {
     const std::string begin = number_html(*from, "s"), end = until ? number_html(*until, "s") : "";
     const bool is_moment = until && fmt::format("{:.7g}", *from) == fmt::format("{:.7g}", *until);
     text += fmt::format(" {} {}{}, the drift cannot be trusted: {}.", is_moment ? "At" : "From", begin,
-                        is_moment ? "" : until ? " to " + end : " on", escaped(run.word(at + "text")));
+                        is_moment ? ""
+                        : until   ? " to " + end
+                                  : " on",
+                        escaped(run.word(at + "text")));
   }
   if (const auto from = run.number("/drift/verdict_from_s"); from && text.empty())
     text = fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));

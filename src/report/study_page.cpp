@@ -41,13 +41,14 @@ std::string fits_section(const Json& study) {
       return value.is_number() ? value.get<double>() : NAN;
     };
     const auto with_error = [&](const char* name, const char* error) {
-      return std::isfinite(number(error)) ? known_html(number(name), number(error), ReadableUnit{"", "", 1}) : shown(fit.value(name, Json()));
+      return std::isfinite(number(error)) ? known_html(number(name), number(error), ReadableUnit{"", "", 1})
+                                          : shown(fit.value(name, Json()));
     };
     const bool power = fit.value("kind", "") == "power_law";
-    rows.push_back({escaped(fit.value("kind", "")), escaped(fit.value("quantity", "")), escaped(fit.value("axis", "")),
-                    with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
-                    shown(fit.value(power ? "residual_rms_of_logarithm" : "residual_rms", Json())) +
-                        (power ? " of the logarithm" : "")});
+    rows.push_back(
+        {escaped(fit.value("kind", "")), escaped(fit.value("quantity", "")), escaped(fit.value("axis", "")),
+         with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
+         shown(fit.value(power ? "residual_rms_of_logarithm" : "residual_rms", Json())) + (power ? " of the logarithm" : "")});
   }
   return rows.empty() ? "" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
 }

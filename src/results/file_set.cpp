@@ -225,9 +225,10 @@ void FileSet::remove_left(std::string_view name) const {
 void FileSet::lock(std::chrono::seconds patience) {
   lock_.emplace(dir_, DirectoryLock::Mode::exclusive, watch_, patience);
   if (lock_->is_busy())
-    throw WriteError(dir_.string(),
-                     fmt::format("another run has been writing there for {} s; wait until it has ended, or choose another --out",
-                                 patience.count()));
+    throw WriteError(
+        dir_.string(),
+        fmt::format("another run has been writing there for {} s; wait until it has ended, or choose another --out",
+                    patience.count()));
 }
 
 std::vector<fs::path> FileSet::temporaries(const fs::path& dir, std::string_view name) {

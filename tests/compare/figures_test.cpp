@@ -126,28 +126,39 @@ TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
   using Path = std::string_view;
   const std::map<Path, std::function<bool(Path)>> truths = {
       {"it only names what is next to it",
-       [&](Path path) { return named(path, {"$schema", "name", "title", "unit", "statement", "per"}); }},
+       [&](Path path) {
+         return named(path, {"$schema", "name", "title", "unit", "statement", "per"});
+       }},
       {"it repeats the scenario, whose keys are compared",
-       [&](Path path) { return under(path, {"matching_rule.", "headline.", "provenance.constants.", "provenance.scenario"}); }},
+       [&](Path path) {
+         return under(path, {"matching_rule.", "headline.", "provenance.constants.", "provenance.scenario"});
+       }},
       {"it says in words what other members say in numbers",
        [&](Path path) {
-         return named(path, {"reason", "verdict_reason", "why", "text", "numbers", "notes", "left_out", "applies",
-                             "mean_of_window"});
+         return named(path,
+                      {"reason", "verdict_reason", "why", "text", "numbers", "notes", "left_out", "applies", "mean_of_window"});
        }},
       {"it belongs to a row, and the rows are compared", [&](Path path) { return under(path, {"drift.reliable."}); }},
       {"of two nearly equal values either may be the largest",
        [&](Path path) { return other_is_compared(path, "_at_s", "_rad") || other_is_compared(path, "_at_s", "_m"); }},
       {"the value that it belongs to is compared", [&](Path path) { return other_is_compared(path, "_bound", ""); }},
       {"it says which rows are marked, and the marks are compared",
-       [&](Path path) { return under(path, {"drift.verdict_intervals.", "drift.secular.window_s"}); }},
+       [&](Path path) {
+         return under(path, {"drift.verdict_intervals.", "drift.secular.window_s"});
+       }},
       {"missing and extra rows are findings of their own", [&](Path path) { return path == "outcome.rows"; }},
       {"it repeats a figure that is compared", [&](Path path) { return other_is_compared(path, ".digits", ""); }},
       {"it says where the result comes from", [&](Path path) { return under(path, {"provenance."}); }},
       {"it checks a column or a figure, which is compared itself, against the scenario's number",
        [&](Path path) { return under(path, {"headline."}); }},
-      {"the effects modelled are compared", [&](Path path) { return under(path, {"effects.left_out", "selection."}); }},
+      {"the effects modelled are compared",
+       [&](Path path) {
+         return under(path, {"effects.left_out", "selection."});
+       }},
       {"it is the error that rounding and the integration leave in numbers that are compared",
-       [&](Path path) { return named(path, {"balance_J", "balance_kg_m3_s", "balance_over_size"}); }},
+       [&](Path path) {
+         return named(path, {"balance_J", "balance_kg_m3_s", "balance_over_size"});
+       }},
       {"it is the work that the search for a tolerance took", [&](Path path) { return path == "accuracy.attempts"; }},
       {"its keys are compared one by one, before any figure", [&](Path path) { return path == "scenario"; }},
   };

@@ -32,9 +32,9 @@ std::string head(const BenchReport& report, ErrorKind kind, std::size_t width) {
       '\n';
   const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, width, 11); };
   const int repetitions = report.options.repetitions;
-  add("Processor", fmt::format("{}; seconds of one core, {}", processor_description(),
-                               repetitions == 1 ? "timed once"
-                                                : fmt::format("median of up to {} repetitions, [least, most]", repetitions)));
+  add("Processor",
+      fmt::format("{}; seconds of one core, {}", processor_description(),
+                  repetitions == 1 ? "timed once" : fmt::format("median of up to {} repetitions, [least, most]", repetitions)));
   add("Errors", fmt::format("largest of {} checkpoints (rad); the largest drift is {:.3g} rad; compared: {}",
                             report.options.checkpoints, report.largest_drift, to_string(kind)));
   add("Reference", report.reference.source);

@@ -153,13 +153,14 @@ std::string indices_text(const Json& document) {
 std::string figures_text(const Json& document, std::size_t width) {
   std::string text;
   for (const Json& figure : document.at("figures"))
-    text += wrapped(fmt::format("  {}: {} {}; stated {:.10g} +- {:.2g}, {}", figure.at("met").get<bool>() ? "met" : "NOT MET",
-                                cell(figure.at("figure")),
-                                figure.at("computed").is_null() ? "is missing"
-                                                                : fmt::format("= {:.10g}", figure.at("computed").get<double>()),
-                                figure.at("value").get<double>(), figure.at("tolerance").get<double>(), cell(figure.at("origin"))),
-                    width, 6) +
-            '\n';
+    text +=
+        wrapped(fmt::format("  {}: {} {}; stated {:.10g} +- {:.2g}, {}", figure.at("met").get<bool>() ? "met" : "NOT MET",
+                            cell(figure.at("figure")),
+                            figure.at("computed").is_null() ? "is missing"
+                                                            : fmt::format("= {:.10g}", figure.at("computed").get<double>()),
+                            figure.at("value").get<double>(), figure.at("tolerance").get<double>(), cell(figure.at("origin"))),
+                width, 6) +
+        '\n';
   return text.empty() ? "" : "\nFigures known from elsewhere\n" + text;
 }
 

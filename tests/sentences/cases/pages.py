@@ -76,7 +76,8 @@ DRIFT = [
          unless={"/motion/duration_s": 3}),
     page("From 6.248061 s on, the drift cannot be trusted: the Earth's own disturbance has grown to 0.1 rad.", "hard/h11-chaotic",
          {"/motion/duration_s": 8, "/criteria": None}, unless={"/motion/duration_s": 6}),
-    page("The run stopped: not_finite, at ", set={"/numerics": {"method": "abm8", "step_s": 0.1}}, unless={"/numerics": None}),
+    page("The run stopped: not_finite, at ", set={"/numerics": {"method": "abm8", "step_s": 0.1}, "/motion/duration_s": 10},
+         unless={"/numerics": None}),
     # A threshold that the drift reaches at the end is passed or not, within its error; just below it is passed.
     page(["Within its error the drift may pass the threshold of ", " or not; as computed it passes it at 0.05 s."], set={
         "/motion/duration_s": 0.05, "/report": {"threshold_rad": 3.3657877149707e-06}}, unless={"/report/threshold_rad": 3.36578e-06}),
@@ -101,7 +102,7 @@ SEEN = [
     read("its trajectory.csv has no ref_axis_L_x; run the scenario again",
          results(20, LONG, "t_s,axis_L_x,drift_axis_rad,drift_axis_bound_rad"), status=2),
     page(["The axis has too many swings and turns to show them all: drawn are the last 49.5 s."], "steady-precession-slow",
-         {"/motion/duration_s": 450, "/motion/output_step_s": 150}, unless={"/motion/duration_s": 150}),
+         {"/motion/duration_s": 450, "/motion/output_step_s": 150}, unless={"/motion/duration_s": 15, "/motion/output_step_s": 5}),
     # 900 s are 187,500 nutations and 6.7 turns of precession; of 2,000 swings each is seen.
     page(["windows, each a little longer than one of the axis's fastest swings and seen at 15 times.",
           "The axis has too many swings to show each: drawn is its mean over one, at "], "hard/h21-thirty-days",
