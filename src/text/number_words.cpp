@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "earthtop/elementary.hpp"
 
@@ -62,10 +63,12 @@ KnownNumber known_number(double value, double error, int digits) {
   // A number far from 1 has an exponent, and its error the same one.
   if (std::max(first, last) < -4 || std::max(first, last) > kLarge) {
     const int shown = std::clamp(first - last, 1, kMostDigits - 1);
-    const std::string text = fmt::format("{:.{}e}", value, shown);
+    const std::string text = value == 0 ? "0" : fmt::format("{:.{}e}", value, shown);
     return {text, fmt::format("{:.{}e}", error, kErrorDigits - 1)};
   }
-  return {fmt::format("{:.{}f}", value, decimals),
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.front() == '-' && text.find_first_of("123456789") == text.npos) text.erase(0, 1);  // 0, to within its error
+  return {std::move(text),
           -last > kPlain ? fmt::format("{:.{}e}", error, kErrorDigits - 1) : fmt::format("{:.{}f}", error, std::max(0, -last))};
 }
 

@@ -46,6 +46,7 @@ TEST(NumberWords, ANumberEndsWhereItsErrorDoes) {
         Case{450.1234561, 1.96e-6, "450.1234561", "0.0000020"}, Case{1.5, 0.0996, "1.50", "0.10"},
         Case{5.2533929e-5, 4.2e-9, "5.25339e-05", "4.2e-09"}, Case{-5.2533929e-5, 4.2e-9, "-5.25339e-05", "4.2e-09"},
         Case{0, 0.0123, "0.000", "0.012"}, Case{1e-9, 0.0123, "0.000", "0.012"}, Case{2.5, 0, "2.5", "0"},
+        Case{-1e-9, 0.0123, "0.000", "0.012"}, Case{0, 3.3e-26, "0", "3.3e-26"},
         Case{1.0 / 3, 1e-30, "0.3333333333333333", "1.0e-30"}}) {
     const KnownNumber known = known_number(c.value, c.error);
     EXPECT_EQ(known.value, c.shown);
