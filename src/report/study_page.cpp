@@ -46,11 +46,10 @@ std::string fits_section(const Json& study) {
     };
     const bool power = fit.value("kind", "") == "power_law";
     rows.push_back(
-        {escaped(fit.value("kind", "")), escaped(fit.value("quantity", "")), escaped(fit.value("axis", "")),
-         with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
+        {escaped(fit.value("law", "")), with_error("a", "a_standard_error"), with_error("b", "b_standard_error"),
          shown(fit.value(power ? "residual_rms_of_logarithm" : "residual_rms", Json())) + (power ? " of the logarithm" : "")});
   }
-  return rows.empty() ? "" : table_html({"curve", "quantity", "over", "a", "b", "scatter"}, rows);
+  return rows.empty() ? "" : table_html({"law", "a", "b", "scatter"}, rows);
 }
 
 std::string figures_section(const Json& study) {

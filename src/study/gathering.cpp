@@ -29,6 +29,19 @@ std::size_t index_of(const List& list, const std::string& name) {
                                   list.begin());
 }
 
+/// The curve of a fit as a formula.
+std::string law_of(const StudyFit& fit) {
+  const std::string& x = fit.axis;
+  switch (fit.kind) {
+    case FitKind::linear: return fmt::format("{} = a + b {}", fit.quantity, x);
+    case FitKind::sin_latitude: return fmt::format("{} = a + b sin({}°)", fit.quantity, x);
+    case FitKind::cos_latitude: return fmt::format("{} = a + b cos({}°)", fit.quantity, x);
+    case FitKind::logarithmic: return fmt::format("{} = a + b ln|{}|", fit.quantity, x);
+    case FitKind::power_law: return fmt::format("|{}| = a |{}|^b", fit.quantity, x);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::optional<double> number_of(const Value& value) {
@@ -101,7 +114,7 @@ Json Gathering::fits() {
   Json list = Json::array();
   for (std::size_t f = 0; f < fits_.size(); ++f) {
     const StudyFit& fit = study_.fits[f];
-    Json json = {{"kind", to_string(fit.kind)}, {"axis", fit.axis}, {"quantity", fit.quantity}};
+    Json json = {{"kind", to_string(fit.kind)}, {"axis", fit.axis}, {"quantity", fit.quantity}, {"law", law_of(fit)}};
     const auto line = fits_[f].line();
     const bool power = fit.kind == FitKind::power_law;
     const std::optional<double> none;

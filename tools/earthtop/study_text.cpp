@@ -118,15 +118,8 @@ std::string marginals_text(const Json& document) {
 std::string fits_text(const Json& document) {
   std::string text;
   for (const Json& fit : document.at("fits")) {
-    const std::string kind = fit.at("kind").get<std::string>(), x = fit.at("axis").get<std::string>();
-    const bool power = kind == "power_law";
-    const std::string form = kind == "linear"         ? fmt::format("a + b {}", x)
-                             : power                  ? fmt::format("a |{}|^b", x)
-                             : kind == "logarithmic"  ? fmt::format("a + b ln|{}|", x)
-                             : kind == "sin_latitude" ? fmt::format("a + b sin({}°)", x)
-                                                      : fmt::format("a + b cos({}°)", x);
-    text += fmt::format("  {} = {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n",
-                        power ? "|" + fit.at("quantity").get<std::string>() + "|" : fit.at("quantity").get<std::string>(), form,
+    const bool power = fit.at("kind") == "power_law";
+    text += fmt::format("  {}, {} points\n    a = {}\n    b = {}\n    residual {} (rms{})\n", cell(fit.at("law")),
                         cell(fit.at("points")), with_error(fit.at("a"), fit.at("a_standard_error")),
                         with_error(fit.at("b"), fit.at("b_standard_error")),
                         cell(fit.at(power ? "residual_rms_of_logarithm" : "residual_rms")), power ? ", of the logarithm" : "");

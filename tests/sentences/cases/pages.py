@@ -258,11 +258,14 @@ def study(says, document, commands=("study t.json --out t",), **more):
     return Case([*commands], says, None, files={"t.json": json.dumps(document)}, **more)
 
 
+LAWS = {"linear": "a + b rate", "sin_latitude": "a + b sin(rate°)", "cos_latitude": "a + b cos(rate°)", "logarithmic": "a + b ln|rate|"}
 STUDIES = [
-    study(["Fits (standard errors from the scatter)", "(rms, of the logarithm)", "Figures known from elsewhere",
+    *[study(f"drift.axis_final_rad = {law}, 3 points",
+            {**PLAIN, "fits": [{"kind": kind, "axis": "rate", "quantity": "drift.axis_final_rad"}]}) for kind, law in LAWS.items()],
+    study(["Fits (standard errors from the scatter)", "|drift.axis_final_rad| = a |rate|^b, 3 points", "(rms, of the logarithm)", "Figures known from elsewhere",
            "met: /fits/0/b = 1.000000", "stated 1 +- 0.001, The drift is proportional to the rate."], STUDY,
           holds=lambda text: abs(number(text, "b = # ") - 1) < 1e-6),
-    study(["Figures known from elsewhere", "The points", "earthtop report again", "over rate", " of the logarithm",
+    study(["Figures known from elsewhere", "The points", "earthtop report again", "over rate", "lawabscatter", "|drift.axis_final_rad| = a |rate|^b", " of the logarithm",
            "3 of 3 points computed, 0 failed."], STUDY, ("study t.json --out t --quiet", "report t"), page="t/report.html",
           # b is 1.00000033 and its error 1.5e-7: as many digits as are known.
           holds=lambda text: re.search(r"1\.000000\d\d ± 1\.\d×10−7", text)),
