@@ -127,7 +127,7 @@ std::optional<std::string> note_on_air(const RunResult& result) {
                                   [&](const DriftRow& row) { return is_turbulent(*disc, row.w_LB_B[2]) != turbulent; });
   if (other == result.looks.end()) return std::nullopt;
   return fmt::format(
-      "after {} s the flow round the disc is {}, but the drag remains that of the release, {}: give /effects/air_drag/flow",
+      "after {:.4g} s the flow round the disc is {}, but the drag remains that of the release, {}: give /effects/air_drag/flow",
       other->t_s, turbulent ? "laminar" : "turbulent", turbulent ? "turbulent" : "laminar");
 }
 

@@ -66,12 +66,10 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
   if (plan.route == SensitivityRoute::variations) {
     by_variations(scene, watch, report);
   } else {
-    auto entries =
-        difference_sensitivities(scene, report.at_s, {row->drift_axis_bound_rad, row->drift_attitude_bound_rad}, watch);
-    if (entries)
+    // There are none where the watch asks to stop, which ends the whole run.
+    if (auto entries =
+            difference_sensitivities(scene, report.at_s, {row->drift_axis_bound_rad, row->drift_attitude_bound_rad}, watch))
       report.inputs = std::move(*entries);
-    else
-      report.unavailable = fmt::format("their integration ended with {}", to_string(RunStatus::interrupted));
   }
   if (!scenario.uncertainty) return report;
   for (InputSensitivity& input : report.inputs) {

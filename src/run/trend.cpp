@@ -20,6 +20,9 @@ constexpr double kAzimuthsAPrecession = 7.3;
 constexpr double kMostAzimuths = 1e5;
 constexpr double kFewestAzimuths = 100;
 
+constexpr const char* kTooLittle = "too little of the run is reliable";
+constexpr const char* kThroughVertical = "an axis passes through the vertical";
+
 /// Names what acts on the top besides gravity and the Earth's rotation; empty if nothing does.
 std::string other_action(const Scene& scene) {
   const Scenario& s = scene.scenario();
@@ -135,8 +138,12 @@ double bound_of_slow_swing(const SlowSwing& swing, double duration, double bound
 void take_mean(const RunResult& result, SecularDrift& trend) {
   const auto last = std::find_if(result.looks.rbegin(), result.looks.rend(),
                                  [&](const DriftRow& look) { return look.t_s <= result.verdict.reliable_until_s; });
-  if (last == result.looks.rend() || !(last->t_s > 0) || !last->drift_azimuth_rad || !result.looks.front().drift_azimuth_rad) {
-    trend.reason = "not every reliable look has an azimuth";
+  if (last == result.looks.rend() || !(last->t_s > 0)) {
+    trend.reason = kTooLittle;
+    return;
+  }
+  if (!last->drift_azimuth_rad || !result.looks.front().drift_azimuth_rad) {
+    trend.reason = kThroughVertical;
     return;
   }
   trend.window_s = {0, last->t_s};
@@ -197,7 +204,9 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   const double until = std::min(result.reached_s, result.verdict.reliable_until_s);
   const auto under_one_turn = [&](double turns) {
     trend.turns_seen = turns;
-    trend.reason = fmt::format("the run covers {:.2g} turns of precession, and a trend needs at least one", turns);
+    constexpr double kMost = 0.99;  // of less than one turn, two digits are not to show one
+    trend.reason = fmt::format("{} covers {:.2g} turns of precession, and a trend needs at least one",
+                               until < result.reached_s ? "what is reliable of the run" : "the run", std::min(turns, kMost));
     return trend;
   };
   trend.window_s = {0, until};
@@ -205,14 +214,12 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
       return under_one_turn(turns);
 
-  trend.reason = "no samples of the azimuth were planned";
-  if (plan.times_s.size() < 2) return trend;
   std::size_t count = 0;
   while (count < seen.size() && plan.times_s[count] <= until) ++count;
   const std::span<const AzimuthSample> azimuths = seen.first(count);
-  trend.reason = "too little of the run is reliable";
+  trend.reason = kTooLittle;
   if (static_cast<double>(count) < kFewestAzimuths) return trend;
-  trend.reason = "an axis passes through the vertical";
+  trend.reason = kThroughVertical;
   if (!std::ranges::all_of(azimuths, &AzimuthSample::defined)) return trend;
   trend.reason = "the Earth moves the axis about as far as the axis is from the vertical";
   if (!azimuths_tell(azimuths)) return trend;

@@ -20,8 +20,9 @@ void tell_free_gyroscope(Told& told) {
   const double away = real::atan2(norm(Vec3<double>(axis_L.cross(told.W_L))), axis_L.dot(told.W_L) * (Omega > 0 ? 1 : -1));
   tell_earth_turns(told);
   told.add("no_torque",
-           "The centre of mass is at the pivot, and the axis was released at rest among the stars: no torque turns it, and it "
-           "keeps its direction among them.",
+           fmt::format("{}, and the axis was released at rest among the stars: no torque turns it, and it keeps its direction "
+                       "among them.",
+                       told.scene.site().gravity_m_s2 == 0 ? "No gravity acts" : "The centre of mass is at the pivot"),
            {});
   told.add(
       "turns_with_the_stars",
@@ -180,7 +181,9 @@ void tell_gyrocompass(Told& told) {
       fmt::format("It drives the axis to the {}: about that direction the axis swings by {} to either side. To first order "
                   "in the Earth's rate, small swings have the period 2π sqrt(I1/(I3 {})) = {:.5g} s; these swings have "
                   "the period {:.5g} s, by an elliptic integral.",
-                  end > 0 ? "North" : "South, and its spin to the North", angle_text(std::abs(first), 4),
+                  end > 0 ? (spin > 0 ? "North" : "North, and its spin to the South")
+                          : (spin > 0 ? "South" : "South, and its spin to the North"),
+                  angle_text(std::abs(first), 4),
                   size_of("ω3 " + of_north, end), small_period, period),
       {{"drives_to_north", end},
        {"amplitude_rad", std::abs(first)},

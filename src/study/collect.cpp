@@ -67,7 +67,7 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
     point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scene.scenario().duration_s);
   if (point.status == "completed" && result.accuracy && !result.accuracy->reached()) {
     point.status = "accuracy_not_reached";
-    point.reason = fmt::format("the drift error asked for, {} rad, was not reached: it is {:.2g} rad",
+    point.reason = fmt::format("the drift error asked for, {} rad, was not reached: its bound is {:.2g} rad",
                                result.accuracy->asked_rad, result.accuracy->reached_rad);
   }
   point.scenario_sha256 = result.scene.sha256();

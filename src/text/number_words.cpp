@@ -51,7 +51,9 @@ std::string angle_text(double rad, int digits) {
   const ReadableUnit unit = angle_unit(rad);
   const double number = rad * unit.per_si;
   if (number == 0 || !std::isfinite(number)) return fmt::format("{:g}{}", number, unit.symbol);
-  return fmt::format("{:.{}f}{}", number, std::clamp(digits - 1 - decade_of(std::abs(number), digits), 0, digits), unit.symbol);
+  constexpr double kSmall = 1e-4;  // microarcseconds; other units have larger numbers
+  if (std::abs(number) < kSmall) return fmt::format("{:.{}e}{}", number, digits - 1, unit.symbol);
+  return fmt::format("{:.{}f}{}", number, std::max(0, digits - 1 - decade_of(std::abs(number), digits)), unit.symbol);
 }
 
 KnownNumber known_number(double value, double error, int digits) {

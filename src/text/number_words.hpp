@@ -20,7 +20,8 @@ ReadableUnit angle_unit(double size_rad);
 /// The unit for a length of this size: kilometres to nanometres.
 ReadableUnit length_unit(double size_m);
 
-/// An angle in the unit of its size, with at least this many digits and never an exponent: "235.19″".
+/// An angle in the unit of its size, with at least this many digits: "235.19″"; with an exponent
+/// only below 1e-4 microarcseconds.
 std::string angle_text(double rad, int digits = 5);
 
 /// A number that is known to within an error: to the second digit of that error, as far as a double goes.

@@ -214,6 +214,8 @@ on_stderr 'not a directory'
 if [ -w /dev/full ]; then
   "$tool" run top.json --out full >/dev/full 2>err.txt
   [ $? -eq 4 ] || fault "full standard output: not exit status 4"
+  on_stderr 'the results are whole, in full$'
+  [ "$(find full -type f | wc -l)" -eq 4 ] || fault "full standard output: the results are not whole"
 fi
 # A reader that closes the pipe early is no error: there is no message, and the status is the verb's own, or that of SIGPIPE.
 gone() {

@@ -178,6 +178,8 @@ def check_widths(names):
         in_file = run(*command).stdout
         texts = {columns: on_terminal(columns, *command) for columns in (40, 80, 200)}
         if command[0] == "run":  # a terminal shows a sparkline, too
+            if not re.search("^Drift       0 s [▁▂▃▄▅▆▇]*█+[▁▂▃▄▅▆▇█]* 60 s, the largest 0.00118 rad$", texts[80], re.MULTILINE):
+                fault(f"no sparkline of the drift in {texts[80]}")
             texts = {columns: re.sub(r"^Drift       0 s .*\n", "", text, flags=re.MULTILINE) for columns, text in texts.items()}
         name = " ".join(command)
         for columns, text in texts.items():

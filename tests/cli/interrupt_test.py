@@ -11,6 +11,7 @@ import json
 import math
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -184,6 +185,47 @@ def check(name, arguments, number, at_s, second=False):
     return label, done.after_s
 
 
+def what_is_said():
+    """What a run says that is interrupted early, or while it checks or writes, and that this is so."""
+    name = scene("asymmetric-top", motion__duration_s=60, motion__output_step_s=0.0006)
+    command = [TOOL, "run", name, "--out", "said", "--jobs", "1", "--quiet", "--force"]
+    whole_s = Interrupted(command, signal.SIGTERM, 1e3, ".").at_s
+    files = sorted(os.listdir("said"))
+    with open("said/trajectory.csv", encoding="utf-8") as file:
+        rows = sum(1 for _ in file)
+    early = re.compile(r"interrupted at t = ([0-9.e+-]+) s of 60 s; nothing was written; the same command starts again\n")
+    nothing = {"interrupted when the motion was complete, but not the bounds on its error or its verdict; nothing was written; the "
+               "same command starts again; with --partial an interrupted run keeps the rows",
+               "interrupted before the results were in place; nothing was written; the same command starts again"}
+    kept = {"earthtop: error: interrupted; the rows are whole, but without error bounds and verdict, in said": "interrupted",
+            "earthtop: error: interrupted; but the results are whole, in said": "completed"}
+    missing = nothing | set(kept) | {"interrupted at"}
+    for share in (0.1, 0.6, 0.95, 0.5, 0.7, 0.9, 0.97, 0.4, 0.8, 0.85):
+        for partial in ([], ["--partial"]):
+            shutil.rmtree("said", ignore_errors=True)
+            done = Interrupted([*command, *partial], signal.SIGTERM, share * whole_s, ".")
+            if done.after_s is None:
+                continue
+            said = [one for one in nothing | set(kept) if one + "\n" in done.err]
+            if at := early.search(done.err):
+                said.append("interrupted at")
+                if not 0 <= float(at[1]) <= 60:
+                    fault(f"what is said: {done.err.strip()}")
+            missing -= set(said)
+            if len(said) != 1 or os.path.exists("said") != (said[0] in kept) or (said[0] in kept and not partial):
+                fault(f"what is said at {share:.0%} {partial}: {done.err.strip()}")
+            elif said[0] in kept:
+                with open("said/summary.json", encoding="utf-8") as file:
+                    status = json.load(file)["outcome"]["status"]
+                with open("said/trajectory.csv", encoding="utf-8") as file:
+                    whole = sum(1 for _ in file) == rows and sorted(os.listdir("said")) == files
+                if status != kept[said[0]] or not whole:
+                    fault(f"what is said at {share:.0%}: {said[0]}, and yet {status}, {'' if whole else 'not '}whole")
+        if not missing:
+            return
+    fault(f"never said: {missing}")
+
+
 def never_looks():
     """Checks that a program which ignores the request to stop is ended: by its use of processor time, or by using none."""
     for name, arguments, least_s in (("computes", [], 0.09), ("waits", ["waits"], 0)):
@@ -209,6 +251,8 @@ def main():
             print(f"{label}: {'ended before' if after_s is None else f'{1000 * after_s:.0f} ms'}", flush=True)
     label, after_s = check("twice: run", cases[0][1], signal.SIGTERM, 0.3, second=True)
     print(f"{label}: {1000 * (after_s or 0):.0f} ms; the longest of all {1000 * worst:.0f} ms")
+    if not VERBS:
+        what_is_said()
     never_looks()
     return 1 if faults else 0
 

@@ -21,6 +21,8 @@ TEST(NumberWords, AnAngleIsToldInTheUnitOfItsSize) {
   EXPECT_EQ(angle_text(231.4 * kArcsecond, 2), "231″") << "no exponent";
   EXPECT_EQ(angle_text(0.05 * kArcsecond, 3), "50.0 milliarcsec");
   EXPECT_EQ(angle_text(5e-6 * kArcsecond, 3), "5.00 microarcsec");
+  EXPECT_EQ(angle_text(0.01234e-6 * kArcsecond, 3), "0.0123 microarcsec");
+  EXPECT_EQ(angle_text(2.0627e-15 * kArcsecond, 3), "2.06e-09 microarcsec");
   EXPECT_EQ(angle_text(0), "0″");
   EXPECT_EQ(angle_unit(std::numeric_limits<double>::quiet_NaN()).name, "arcseconds");
 }

@@ -3,6 +3,7 @@
 // changed.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <functional>
 
@@ -160,6 +161,18 @@ TEST(Sensitivity, SaysWhyThereIsNone) {
   scenario.sensitivities = true;
   scenario.release.spin_rad_s = 1e5, scenario.duration_s = 3600;
   EXPECT_NE(plan_sensitivities(Scene(scenario), 3600).refusal.find("would take"), std::string::npos);
+}
+
+TEST(Sensitivity, SaysHowItsIntegrationEnded) {
+  Scenario scenario = testing::toy_top();
+  scenario.duration_s = scenario.output_step_s = 0.1;
+  scenario.sensitivities = true;
+  const RunResult result = run(scenario);
+  EXPECT_EQ(assess_sensitivities(result, {})->unavailable, "");
+  const std::atomic<bool> stop = true;
+  const auto stopped = assess_sensitivities(result, Watch(&stop, nullptr));
+  EXPECT_EQ(stopped->unavailable, "their integration ended with interrupted");
+  EXPECT_TRUE(stopped->inputs.empty());
 }
 
 }  // namespace

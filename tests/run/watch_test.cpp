@@ -114,6 +114,8 @@ TEST(Partial, HasTheRowsOfTheWholeRunWithoutBoundsAndVerdict) {
     const auto result = stopped_in(phase, body(), true);
     ASSERT_TRUE(result) << phase;
     EXPECT_TRUE(is_partial(*result));
+    EXPECT_EQ(result->notes.back(),
+              "partial: interrupted before error bounds and verdict were computed; run the scenario again for them");
     const auto expected = cells(trajectory_csv(whole)), found = cells(trajectory_csv(*result));
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t row = 1; row < found.size(); ++row)

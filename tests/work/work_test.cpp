@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The estimated work of a run, and where a run is stopped that takes far more.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -152,7 +153,16 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   EXPECT_LE(result.rows.back().t_s, made.second.samples.back().state.t_s);
   EXPECT_GT(result.rows.back().t_s, made.second.samples.back().state.t_s - 2 * s.output_step_s);
   EXPECT_LT(result.rows.size(), static_cast<std::size_t>(Scene(s).rows()));
-  EXPECT_NE(why_limited(result).find("from which the bounds come"), std::string::npos) << why_limited(result);
+  EXPECT_NE(why_limited(result).find(fmt::format("the second integration, from which the bounds come, (rkf78) was stopped after {} "
+                                                 "steps, {} of them rejected: at least ten times the work estimated",
+                                                 made.second.counters.accepted + made.second.counters.rejected,
+                                                 made.second.counters.rejected)),
+            std::string::npos)
+      << why_limited(result);
+  Scenario few = s;
+  few.numerics.step_limit = made.second.counters.accepted;
+  const std::string limited = why_limited(assemble_result(few, made, {}, Parts({}, 0)));
+  EXPECT_NE(limited.find("rejected: as many as are allowed; later rows would have no bound"), std::string::npos) << limited;
 }
 
 std::string refusal(const Scenario& scenario) {

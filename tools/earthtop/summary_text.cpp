@@ -107,10 +107,14 @@ DriftSummary reliable_drift(const RunResult& result) {
   return summarize_drift(rows, result.scene.rotation_rate_rad_s());
 }
 
-/// When an interval of the verdict is: "from 2 s on", "from 2 to 3 s".
+/// When an interval of the verdict is: "from 2 s on", "from 2 to 3 s", with as many digits as tell its ends apart.
 std::string span_of(const VerdictInterval& interval) {
-  return interval.until_s ? fmt::format("from {:.6g} to {:.6g} s", interval.from_s, *interval.until_s)
-                          : fmt::format("from {:.6g} s on", interval.from_s);
+  if (!interval.until_s) return fmt::format("from {:.6g} s on", interval.from_s);
+  int digits = 6;
+  const auto end = [&](double t_s) { return fmt::format("{:.{}g}", t_s, digits); };
+  constexpr int kAll = 17;
+  while (digits < kAll && end(interval.from_s) == end(*interval.until_s)) ++digits;
+  return fmt::format("from {} to {} s", end(interval.from_s), end(*interval.until_s));
 }
 
 void write_verdict(Page& page, const RunResult& result) {
@@ -136,7 +140,8 @@ void write_drift(Page& page, const RunResult& result) {
   const DriftRow* last = last_reliable_row(result);
   if (last == nullptr || last->t_s == 0) {
     page.heading("Drift");
-    page.line("  none that can be trusted; all rows are written, marked as not reliable");
+    page.line("  none that can be trusted; {} are written, marked as not reliable",
+              last == nullptr ? "all rows" : "the rows beyond the release");
     return;
   }
   const DriftSummary drift = reliable_drift(result);
@@ -156,8 +161,8 @@ void write_drift(Page& page, const RunResult& result) {
     page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
               pictured(*drift.azimuth_final_rad));
   else
-    page.line("  azimuth     none: the axis is vertical");
-  page.line("  tilt       {:+.6e} rad = {} (+ is away from the vertical)", drift.tilt_final_rad,
+    page.line("  azimuth     none: an axis is vertical");
+  page.line("  tilt       {:+.6e} rad = {} (+ is farther from Up)", drift.tilt_final_rad,
             pictured(drift.tilt_final_rad));
   page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
   page.line("  attitude    {} (the whole turn between the two)",
@@ -252,7 +257,7 @@ void write_trend(Page& page, const RunResult& result) {
       page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
                                       *secular->azimuth_rate_rad_s, secular->azimuth_rate_bound_95_rad_s.value_or(0)));
       if (secular->of_window)
-        page.entry("", fmt::format("the mean over {} to {} s and no more than that, as {}", secular->window_s[0],
+        page.entry("", fmt::format("the mean over {:.6g} to {:.6g} s and no more than that, as {}", secular->window_s[0],
                                    secular->window_s[1], secular->reason));
       else
         page.entry("", fmt::format("± is a 95 % interval; from {:.3g} turns of precession, {:.6g} to {:.6g} s",
