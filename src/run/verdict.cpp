@@ -39,7 +39,7 @@ std::optional<std::string> marginal_reason(const MotionProblem<double>& problem)
   const auto upright = marginal_top(problem);
   if (!upright) return std::nullopt;
   return fmt::format(
-      "an upright top at {:.6g} of its critical spin: whether it stands or falls depends on digits of its spin and moments "
+      "an upright top at {:.6g} times its critical spin: whether it stands or falls depends on digits of its spin and moments "
       "that are not known",
       std::sqrt(upright->spin_ratio_squared));
 }

@@ -113,6 +113,40 @@ VERDICTS = [
 ]
 
 
+def braked(text):
+    """Viscous friction takes the spin of an upright top down to 2 sqrt(m g l I1)/I3 in this time."""
+    critical = 2 * math.sqrt(0.2 * 9.80665 * 0.05 * 6e-4) / 1.6e-4
+    return near(number(text, "an upright top to its critical spin at", " s"), math.log(120 / critical) * 1.6e-4 / 5e-6, 1e-4)
+
+
+def earth_grown(text):
+    """The attitude's drift passes 0.1 rad at the time that is said, to a row."""
+    said_s = number(text, "has grown to 0.1 rad at", " s")
+    seen = [(float(row["t_s"]), float(row["drift_attitude_rad"])) for row in rows(text)]
+    passed_s = next(t_s for t_s, drift in seen if drift > 0.1)
+    return 0 <= passed_s - said_s + 1e-3 <= seen[1][0] + 2e-3
+
+
+UPRIGHT = "sleeping-top-above-critical"
+
+GROWTH = [
+    Case(RUN, "an upright top at 1.00017 times its critical spin: whether it stands or falls depends on digits of its spin and "
+              "moments that are not known", scenario=UPRIGHT, set={"/release/spin_rad_s": 95.9}, unless={"/release/spin_rad_s": 96}),
+    Case(RUN, "friction has slowed an upright top to its critical spin at 7.1793 s: from then on it falls, and disturbances grow as "
+              "it does", scenario=UPRIGHT, set={"/effects/viscous_torque_N_m_s": 5e-6}, holds=braked,
+         unless={"/motion/duration_s": 7.16}),
+    Case(RUN, ["disturbances of this motion grow exponentially,", "per second on average; the Earth's own disturbance has grown to"],
+         scenario="sleeping-top-below-critical", page=ROWS, holds=earth_grown, unless={"/release/spin_rad_s": 100}),
+    Case(RUN, "disturbances grow exponentially wherever the motion goes, Lyapunov exponent about", scenario="hard/h11-chaotic",
+         page=ROWS, holds=earth_grown, unless={"/effects/viscous_torque_N_m_s": 1e-3}),
+    Case(RUN, "disturbances grow no faster than the motion's own angles", scenario="asymmetric-top", set={"/motion/duration_s": 2},
+         unless={"/numerics": {"method": "abm8", "step_s": 0.02}}),
+    Case(RUN, "after 0 s rolling needs more friction than the table gives: how the tip slips from then on is not computed",
+         scenario="toy-top-on-table", set={"/contact": {"tip_radius_m": 0.002, "law": "rolling", "static_coefficient": 0.05}},
+         unless={"/contact/static_coefficient": 2}),
+]
+
+
 # -- the drift's own lines
 
 def falls(text):
@@ -179,6 +213,8 @@ TREND = [
     Case(RUN, "not determined: too little of the run is reliable", scenario="asymmetric-top", status=3,
          set={"/numerics/method": "abm8", "/numerics/step_s": 0.01, "/motion/duration_s": 12, "/motion/output_step_s": 0.12},
          unless={"/numerics": None}),
+    Case(RUN, "not determined: the Earth moves the axis about as far as the axis is from the vertical",
+         set={"/release/tilt_deg": 0.0005, "/motion/duration_s": 5}, unless={"/release/tilt_deg": 0.003}),
     Case(RUN, "± is a 95 % interval; from", set={"/motion/duration_s": 5}, holds=window,
          unless={"/effects/viscous_torque_N_m_s": 1e-8}),
     Case(RUN, "first-order theory does not apply: it leaves out", set={"/motion/duration_s": 5, "/earth/rotation_rate_rad_s": 0.5},
@@ -291,6 +327,20 @@ def pendulum(text):
             near(number(text, "the plane turns clockwise by"), rate * (1 - part), 1e-5))
 
 
+def leans(text):
+    """The tilt grows where the axis points to the side to which the cone leans, on average over all azimuths."""
+    south = sum(-float(row["drift_tilt_rad"]) * float(row["ref_axis_L_y"]) for row in rows(text))
+    return ("therefore leans by 2.9″ to the South" in text) == (south > 0)
+
+
+def in_all(text):
+    """The line through the azimuth's drift: clockwise is slower for a precession that goes counterclockwise."""
+    last = rows(text)[-1]
+    said = re.search(r"In all, the precession is slower by ([0-9.e-]+) ± [0-9.e-]+ rad/s in theory and slower by ([0-9.e-]+)", text)
+    seen = float(last["drift_azimuth_rad"]) / float(last["t_s"])
+    return near(float(said[1]), seen, 0.1) and near(float(said[2]), seen, 0.1)
+
+
 REVERSED = {"/earth/rotation_rate_rad_s": -OMEGA}
 
 WHY = [
@@ -323,6 +373,17 @@ WHY = [
                "clockwise seen from the celestial North Pole", "Its direction has moved by 2 asin(sin(60°) |sin(902.46″/2)|)"],
          scenario="free-gyro", set={"/site/latitude_deg": 0, "/release/azimuth_deg": 60}, holds=star_angle,
          unless={"/release/rates_relative_to": "laboratory"}),
+    Case(RUN, "about the celestial axis, counterclockwise seen from the celestial North Pole, at Ω = 7.292115e-05 rad/s; it stands "
+              "90° from that pole", scenario="free-gyro", set=REVERSED, page=ROWS, unless={"/earth/rotation_rate_rad_s": OMEGA},
+         holds=lambda text: not turns_with_stars(text)),
+    Case(RUN, ["the cone on which the axis precesses therefore leans by 2.9″ to the South",
+               "With this release the Earth changes the top's mean energy and angular momentum, which makes the precession slower by "
+               "9.71e-07 rad/s"], page=ROWS, holds=lambda text: leans(text) and in_all(text), unless=REVERSED),
+    Case(RUN, "therefore leans by 2.9″ to the North", set=REVERSED, page=ROWS, holds=leans,
+         unless={"/earth/rotation_rate_rad_s": OMEGA}),
+    Case(RUN, "In all, the precession is neither slower nor faster within",
+         set={"/site/latitude_deg": 0, "/motion/duration_s": 3, "/release/tilt_deg": 90, "/release/precession": "steady_slow"},
+         unless={"/site/latitude_deg": 1}),
     Case(RUN, "No gravity acts, and the axis was released at rest among the stars", scenario="free-gyro",
          set={"/body/center_of_mass_m": [0, 0, 0.01], "/site/gravity_m_s2": 0}, page=ROWS, holds=turns_with_stars,
          unless={"/body/center_of_mass_m": [0, 0, 0], "/site/gravity_m_s2": 9.8}),
@@ -372,4 +433,4 @@ TABLE = [
                "predictions, is well defined"], scenario="rolling-ball", page=ROWS, holds=hides, unless={"/contact": None}),
 ]
 
-CASES = ENDS + VERDICTS + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE
+CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE
