@@ -153,10 +153,10 @@ TEST(WorkLimit, WhereOnlyTheBoundsIntegrationStopsItsRowsAreKept) {
   EXPECT_LE(result.rows.back().t_s, made.second.samples.back().state.t_s);
   EXPECT_GT(result.rows.back().t_s, made.second.samples.back().state.t_s - 2 * s.output_step_s);
   EXPECT_LT(result.rows.size(), static_cast<std::size_t>(Scene(s).rows()));
-  EXPECT_NE(why_limited(result).find(fmt::format("the second integration, from which the bounds come, (rkf78) was stopped after {} "
-                                                 "steps, {} of them rejected: at least ten times the work estimated",
-                                                 made.second.counters.accepted + made.second.counters.rejected,
-                                                 made.second.counters.rejected)),
+  EXPECT_NE(why_limited(result).find(
+                fmt::format("the second integration, from which the bounds come, (rkf78) was stopped after {} "
+                            "steps, {} of them rejected: at least ten times the work estimated",
+                            made.second.counters.accepted + made.second.counters.rejected, made.second.counters.rejected)),
             std::string::npos)
       << why_limited(result);
   Scenario few = s;

@@ -162,8 +162,7 @@ void write_drift(Page& page, const RunResult& result) {
               pictured(*drift.azimuth_final_rad));
   else
     page.line("  azimuth     none: an axis is vertical");
-  page.line("  tilt       {:+.6e} rad = {} (+ is farther from Up)", drift.tilt_final_rad,
-            pictured(drift.tilt_final_rad));
+  page.line("  tilt       {:+.6e} rad = {} (+ is farther from Up)", drift.tilt_final_rad, pictured(drift.tilt_final_rad));
   page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad, "rad"));
