@@ -51,7 +51,7 @@ def on_terminal(columns, *arguments, **more):
     fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
     text = b""
     with subprocess.Popen([TOOL, *arguments], stdin=subprocess.DEVNULL, stdout=slave, stderr=subprocess.PIPE,
-                          env=environment(NO_COLOR="1", **more)) as program:
+                          env=environment(**{"NO_COLOR": "1", **more})) as program:
         # The terminal stays open here until all is read: a terminal that its last program closes may lose what is under way.
         ended = False
         while not ended:
@@ -169,6 +169,13 @@ def words_of(text):
     return re.sub(r"[0-9.e-]+ s$|\d[\d,]* evaluations, [0-9.]+ s", "", " ".join(text.split()))
 
 
+def check_sparkline():
+    """A terminal shows the drift over time, and its largest value."""
+    shown = on_terminal(80, "run", "toy-top.json", "--out", "wide", TERM="xterm", NO_COLOR="")
+    if not re.search("^Drift       0 s [▁-█]*█[▁-█]* 60 s, the largest 0.00118 rad$", shown, re.MULTILINE):
+        fault(f"no sparkline of the drift in {shown}")
+
+
 def check_widths(names):
     """The same words on every screen, in lines of its width; 40 columns at least, 120 at most, and 80 without a screen."""
     commands = [["--help"], *([name, "--help"] for name in names), ["check", "toy-top.json"],
@@ -178,8 +185,6 @@ def check_widths(names):
         in_file = run(*command).stdout
         texts = {columns: on_terminal(columns, *command) for columns in (40, 80, 200)}
         if command[0] == "run":  # a terminal shows a sparkline, too
-            if not re.search("^Drift       0 s [▁▂▃▄▅▆▇]*█+[▁▂▃▄▅▆▇█]* 60 s, the largest 0.00118 rad$", texts[80], re.MULTILINE):
-                fault(f"no sparkline of the drift in {texts[80]}")
             texts = {columns: re.sub(r"^Drift       0 s .*\n", "", text, flags=re.MULTILINE) for columns, text in texts.items()}
         name = " ".join(command)
         for columns, text in texts.items():
@@ -290,6 +295,7 @@ def main():
         check_texts(names)
         check_suggestions()
         check_widths(names)
+        check_sparkline()
         check_whole_lines()
     print(f"{len(faults)} faults")
     return 1 if faults else 0
