@@ -180,7 +180,7 @@ class Reader {
     node.kind = JsonKind::refused;
     complain(start,
              fmt::format(fmt::runtime(fit == NumberFit::too_large
-                                          ? "{} is too large for a double; the largest is about 1.8e308"
+                                          ? "{} is too large for a double; the largest is 1.7976931348623157e308"
                                           : "{} is too small for a double and would become 0; write 0, or at least 5e-324"),
                          excerpt(digits_given)));
     return true;
