@@ -79,10 +79,12 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
   if (!scene) throw ScenarioError("", "no scenario has these estimates");
   const Scenario& fitted = scene->scenario();
 
-  std::string text = changed_text(source.text, overrides);
-  for (const std::string_view key : kClaims) text = input::without_member(text, key);
+  std::vector<std::pair<std::string, std::string>> estimates;
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty()) text = with_number(text, pointer, values[i]);
+    if (const std::string& pointer = inputs.list()[i].pointer; !pointer.empty())
+      estimates.emplace_back(pointer, fmt::format("{}", values[i]));
+  std::string text = changed_text(changed_text(source.text, overrides), estimates);
+  for (const std::string_view key : kClaims) text = input::without_member(text, key);
   text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });
   if (!are_alike(read_in_place(source, text, file), fitted))
     throw ScenarioError("", "no scenario file can hold exactly these estimates");

@@ -79,13 +79,16 @@ class RowResiduals {
     }
   }
 
+  [[noreturn]] void refuse(const MeasuredValue& value, std::string message) const {
+    throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", std::move(message)}}, measurement_.file);
+  }
+
  private:
   void require_azimuth(const MeasuredValue& value, bool defined) const {
     if (defined) return;
-    const std::string message = fmt::format(
-        "at {:g} s the predicted axis is vertical and has no azimuth; leave the cell empty, or measure axis_L_x, _y, _z",
-        value.t_s);
-    throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement_.file);
+    refuse(value, fmt::format("at {:g} s the predicted axis is vertical and has no azimuth; leave the cell empty, or measure "
+                              "axis_L_x, _y, _z",
+                              value.t_s));
   }
   void append(const MeasuredValue& value, std::string_view quantity, double measured, double predicted, double residual) {
     all_.push_back({value.t_s, value.line, quantity, measured, predicted, residual, value.standard_error_rad});
@@ -145,6 +148,8 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
       if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
       predicted.axes.push_back(axis);
     }
+    for (const ContactEvent& event : motion.contact_events)
+      if (ends_run(event.kind) && predicted.axes.size() < times_s.size()) predicted.end = event;
     return predicted;
   }
   const bool axis_alone = scene.symmetry_axis() == 2;
@@ -161,14 +166,17 @@ bool is_beyond_prediction(const VerdictReport& verdict, double until_s) {
   return grows && verdict.from_s && *verdict.from_s <= until_s;
 }
 
-VerdictReport verdict_at(const Scene& measured, double end_s, const Watch& watch, RunStatus& status) {
+std::string words_on_end(const ContactEvent& event) {
+  return fmt::format("at {:.6g} s {}", event.t_s, type_of(event.kind).words);
+}
+
+JudgedMotion judged_motion(const Scene& measured, double end_s, const Watch& watch) {
   constexpr double kLooks = 200;  // number of times at which bounds are checked
   Scenario scenario = measured.scenario();
   prepare(scenario, end_s);
   scenario.output_step_s = scenario.duration_s / kLooks;
   const RunResult result = run(resolve(std::move(scenario)), {watch, false});
-  status = result.status;
-  return result.verdict;
+  return {result.status, result.reached_s, result.verdict};
 }
 
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion) {
@@ -178,6 +186,7 @@ std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, co
   std::size_t at = 0;
   for (const MeasuredValue& value : measurement.values) {
     while (at < motion.axes.size() && motion.axes[at].t_s < value.t_s) ++at;
+    if (at == motion.axes.size() && motion.end) rows.refuse(value, words_on_end(*motion.end) + "; leave out later rows");
     if (at == motion.axes.size()) break;
     rows.add(value, motion.axes[at]);
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "earthtop/drift/contact_event.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/vectors.hpp"
 #include "earthtop/watch.hpp"
@@ -27,6 +28,7 @@ struct PredictedAxis {
 struct PredictedMotion {
   RunStatus status = RunStatus::completed;
   std::vector<PredictedAxis> axes;  ///< one for each time that was reached
+  std::optional<ContactEvent> end;  ///< the event on the table after which there is no motion at the later times
 };
 
 /// A scenario's motion at given times, computed in double precision whatever precision the scenario asks for. The scenario's
@@ -42,17 +44,26 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift);
 
 bool has_drifts(const Measurement& measurement);
 
-/// The verdict on a run of the scenario to `end_s`, prepared as for `predict`.
-/// @param status  is set to the run's status: completed, or the reason why there is no verdict
-VerdictReport verdict_at(const Scene& scene, double end_s, const Watch& watch, RunStatus& status);
+/// What a run says of the motion to a time.
+struct JudgedMotion {
+  RunStatus status = RunStatus::completed;  ///< or the reason why there is no verdict
+  double reached_s = 0;                     ///< less than the time where an event on the table ends the motion
+  VerdictReport verdict;
+};
+/// Runs the scenario to `end_s`, prepared as for `predict`.
+JudgedMotion judged_motion(const Scene& scene, double end_s, const Watch& watch);
 
 /// Whether the verdict says that no prediction at `until_s` means anything.
 bool is_beyond_prediction(const VerdictReport& verdict, double until_s);
 
+/// That an event ends the motion, in a sentence without its full stop.
+std::string words_on_end(const ContactEvent& event);
+
 /// A measurement's residuals against the motion at measured_times(), for the rows that the motion reached. Residuals of
 /// azimuths are reduced to -pi to pi. The components of an axis are taken along directions that depend on the measured axis
 /// alone, so that they do not turn when the prediction is varied.
-/// @throws ScenarioError, with the row's line, for a measured azimuth where the predicted axis is vertical
+/// @throws ScenarioError, with the row's line, for a measured azimuth where the predicted axis is vertical, and for a row beyond
+/// an event that ends the motion
 std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, const PredictedMotion& motion);
 
 /// The amount by which a residual jumps when its angle passes a full turn (rad); 0 where it cannot jump.

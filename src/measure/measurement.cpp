@@ -129,8 +129,7 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
 
 /// Refuses rows that no computation can predict. Adds a note where the motion depends on digits that are not known.
 void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const Watch& watch) {
-  RunStatus status = RunStatus::completed;
-  const VerdictReport verdict = verdict_at(scene, measurement.values.back().t_s, watch, status);
+  const auto [status, reached_s, verdict] = judged_motion(scene, measurement.values.back().t_s, watch);
   if (status == RunStatus::interrupted) report.status = status;
   if (status != RunStatus::completed) return;
   report.verdict = verdict.verdict;
@@ -141,7 +140,7 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
       const std::string message =
           fmt::format("after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; leave out {}",
                       *verdict.from_s, to_string(verdict.verdict), verdict.reason,
-                      verdict.until_s ? fmt::format("the rows up to {:.6g} s", *verdict.until_s) : "later rows");
+                      verdict.until_s ? fmt::format("the rows from then to {:.6g} s", *verdict.until_s) : "later rows");
       throw ScenarioError(std::vector<Diagnostic>{{static_cast<int>(value.line), 1, "", message}}, measurement.file);
     }
 }
@@ -250,8 +249,10 @@ void add_notes(MeasurementReport& report) {
   });
   if (far)
     report.notes.emplace_back(
-        "an azimuth is off by more than a quarter turn: is it counted clockwise from North, and does the fit start close "
-        "enough?");
+        report.fit == FitOutcome::not_asked
+            ? "an azimuth is off by more than a quarter turn: is it counted clockwise from North?"
+            : "an azimuth is off by more than a quarter turn: is it counted clockwise from North, and does the fit start close "
+              "enough?");
 }
 
 }  // namespace

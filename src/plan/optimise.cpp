@@ -131,9 +131,8 @@ class Designs {
   }
 
   bool is_reliable(const Tried& tried, const Watch& watch) const {
-    RunStatus status = RunStatus::completed;
-    const VerdictReport verdict = measure::verdict_at(tried.scene, tried.until_s, Watch(watch).with_progress(nullptr), status);
-    return status == RunStatus::completed && !measure::is_beyond_prediction(verdict, tried.until_s);
+    const auto judged = measure::judged_motion(tried.scene, tried.until_s, Watch(watch).with_progress(nullptr));
+    return judged.status == RunStatus::completed && !measure::is_beyond_prediction(judged.verdict, tried.until_s);
   }
 
   const ScenarioSource& source_;

@@ -32,17 +32,15 @@ struct LongScene {
   Scene scene;
   Overrides overrides;
   double until_s = 0;
-  VerdictReport verdict;
-  RunStatus status = RunStatus::completed;
+  measure::JudgedMotion judged;
 };
 
 LongScene lasting_scene(const ScenarioSource& source, const Overrides& overrides, const Scene& given, double until_s,
                         const Watch& watch) {
   Overrides longer = lasting(overrides, given.scenario(), until_s);
   Scene scene = parse_scene(source, longer);
-  LongScene lasting{scene, std::move(longer), until_s, {}, RunStatus::completed};
-  lasting.verdict = measure::verdict_at(lasting.scene, until_s, watch, lasting.status);
-  return lasting;
+  measure::JudgedMotion judged = measure::judged_motion(scene, until_s, watch);
+  return {std::move(scene), std::move(longer), until_s, std::move(judged)};
 }
 
 /// The scene to twice the end of the plan, if it can be predicted until then; otherwise to the end of the plan.
@@ -52,17 +50,19 @@ LongScene reliable_scene(const ScenarioSource& source, const Overrides& override
   const Watch longer = parts.next(kVerdict, "verdict"), watch = parts.next(kVerdict);
   if (2 * until_s <= kLongest_s) try {
       LongScene twice = lasting_scene(source, overrides, given, 2 * until_s, longer);
-      const bool is_known = twice.status == RunStatus::completed || twice.status == RunStatus::interrupted;
-      if (is_known && !measure::is_beyond_prediction(twice.verdict, 2 * until_s)) return twice;
+      const auto& [status, reached_s, verdict] = twice.judged;
+      const bool is_whole = status == RunStatus::completed && reached_s >= 2 * until_s;
+      if (status == RunStatus::interrupted || (is_whole && !measure::is_beyond_prediction(verdict, 2 * until_s))) return twice;
     } catch (const ScenarioError&) {  // a table of a platform's motion that ends before, or days of work
     }
   LongScene once = lasting_scene(source, overrides, given, until_s, watch);
-  if (once.status == RunStatus::completed && measure::is_beyond_prediction(once.verdict, until_s))
+  const auto& [status, reached_s, verdict] = once.judged;
+  if (status == RunStatus::completed && measure::is_beyond_prediction(verdict, until_s))
     throw ScenarioError(
         "--until",
         fmt::format(
             "after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; end the measurement by then",
-            *once.verdict.from_s, to_string(once.verdict.verdict), once.verdict.reason));
+            *verdict.from_s, to_string(verdict.verdict), verdict.reason));
   return once;
 }
 
@@ -169,10 +169,10 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
   const double of_design = design.empty() ? 0 : expected_designs(design.size()) * (1 + 4 * of_numbers);
   Parts parts(watch, 2 * kVerdict + 2 * (1 + 6 * of_numbers) + of_design);
   const LongScene lasting = reliable_scene(source, overrides, given, until_s, parts);
-  if (lasting.status == RunStatus::completed) {
-    report.verdict = lasting.verdict.verdict;
-    if (lasting.verdict.verdict == Verdict::marginal)
-      report.notes.push_back(fmt::format("marginal: {}", lasting.verdict.reason));
+  const auto& [status, reached_s, verdict] = lasting.judged;
+  if (status == RunStatus::completed) {
+    report.verdict = verdict.verdict;
+    if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
   }
   const EstimatedInputs inputs(source, lasting.overrides, lasting.scene, numbers.names, kMostNumbers);
   const measure::ExactInputs exact(lasting.scene, numbers.names, [&](const std::vector<std::string>& names) {
@@ -183,9 +183,9 @@ PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std:
     report.estimates.push_back({input.name, input.unit, input.start, j >= report.plan.estimates.size(), {}, {}, {}, {}, {}});
   }
   for (const InputPrior& prior : numbers.priors) report.estimates[prior.input].prior = prior.standard_error;
-  if (lasting.status == RunStatus::interrupted) {
+  if (status == RunStatus::interrupted) {
     report.outcome = PlanOutcome::interrupted;
-    report.status = lasting.status;
+    report.status = status;
     return report;
   }
 

@@ -62,6 +62,7 @@ Measurement empty_measurement(const std::vector<PlannedQuantity>& quantities, co
 }
 
 void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
+  if (motion.end) throw ScenarioError("--until", measure::words_on_end(*motion.end) + "; end the measurement by then");
   std::size_t at = 0;
   for (MeasuredValue& value : measurement.values) {
     while (motion.axes[at].t_s < value.t_s) ++at;

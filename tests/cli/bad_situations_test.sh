@@ -100,9 +100,10 @@ chmod 0 locked.json
 if [ -r locked.json ]; then skip "an unreadable file: root reads everything"; else refused locked.json 'cannot be opened (Permission'; fi
 timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt <&-
 [ $? -eq 2 ] || fault "closed standard input: not exit status 2"
-on_stderr '<stdin>: error: is closed; '
+on_stderr '<stdin>: error: is closed; give a file, or redirect standard input'
 timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt <folder
 [ $? -eq 2 ] || fault "a directory as standard input: not exit status 2"
+on_stderr '<stdin>: error: is a directory; give a scenario file in it'
 head -c 2000 /dev/zero | timeout "$patience" "$tool" run - --out results >out.txt 2>err.txt
 [ $? -eq 2 ] || fault "NUL bytes: not exit status 2"
 on_stderr '<stdin>:1:1: error: a NUL byte; '

@@ -81,9 +81,10 @@ int plan_verb(const PlanArguments& arguments) {
   const PlanReport report = plan_measurement(source, overrides, plan, design, watch);
   std::optional<std::string> data;
   const bool was_interrupted = report.outcome == PlanOutcome::interrupted || report.status == RunStatus::interrupted;
-  if (!was_interrupted && !arguments.data.empty())
+  const bool has_data = !arguments.data.empty() && report.status == RunStatus::completed;
+  if (!was_interrupted && has_data)
     data = simulated_measurement(source, overrides, plan, arguments.seed, watch.with_progress(nullptr));
-  if (was_interrupted || (!arguments.data.empty() && !data)) return report_interruption(arguments.json);
+  if (was_interrupted || (has_data && !data)) return report_interruption(arguments.json);
   progress.reach(1);
   if (data) write_file(arguments.data, *data);
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(plan_figure(report)));
@@ -91,6 +92,7 @@ int plan_verb(const PlanArguments& arguments) {
     print(plan_json(report));
   else if (!arguments.quiet)
     print(plan_text(report, output_screen()));
+  if (!arguments.data.empty() && !has_data) message(fmt::format("{} is not written: {}", printable(arguments.data), report.reason));
   switch (report.outcome) {
     case PlanOutcome::determined: return kDone;
     case PlanOutcome::not_determined: return kNegative;

@@ -108,9 +108,10 @@ std::string optimum_text(const PlanReport& report, const Screen& screen) {
                     choice.is_at_limit ? ", at the limit" : "", choice.given));
     sets += fmt::format(" --set {}={:.6g}", choice.input.pointer, choice.best);
   }
-  add(fmt::format("{}  ± {}: {:.3g} sigma, {:.3g} times smaller than now; {} rows", printable(target.name),
+  const double gain = *target.standard_error / optimum.standard_error;
+  add(fmt::format("{}  ± {}: {:.3g} sigma, {:.3g} times {} than now; {} rows", printable(target.name),
                   with_unit(fmt::format("{:.2e}", optimum.standard_error), target.unit), optimum.significance,
-                  *target.standard_error / optimum.standard_error, optimum.rows));
+                  std::max(gain, 1 / gain), gain < 1 ? "larger" : "smaller", optimum.rows));
   return text + "  with" + printable(sets) + "\n";
 }
 
