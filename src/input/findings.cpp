@@ -39,7 +39,7 @@ void Findings::warn(Place place, std::string pointer, std::string message) {
 }
 
 std::vector<Diagnostic> Findings::report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,
-                                         std::string_view text) {
+                                         std::string_view text) const {
   std::stable_sort(sorted.begin(), sorted.end(), [](const Finding& a, const Finding& b) {
     if (a.place.from_set != b.place.from_set) return a.place.from_set;
     return !a.place.from_set && a.place.offset < b.place.offset;
@@ -57,7 +57,7 @@ std::vector<Diagnostic> Findings::report(std::vector<Finding> sorted, std::size_
       finding.message = from_set ? "duplicate key; give it once"
                                  : fmt::format("duplicate key, given already at {}:{}; give it once", first.line, first.column);
     }
-    if (from_set) finding.message += " (from --set)";
+    if (from_set && names_option_) finding.message += " (from --set)";
     diagnostics.push_back(shortened({at.line, at.column, std::move(finding.pointer), std::move(finding.message)}));
   }
   return diagnostics;

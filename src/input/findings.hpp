@@ -28,6 +28,9 @@ class Findings {
   std::size_t count() const { return count_; }                 ///< number of errors
   bool full() const { return findings_.size() >= kMostKept; }  ///< whether further findings are only counted
 
+  /// The values that are put into the text from now on are the program's own: findings on them do not name the option --set.
+  void leave_out_option() { names_option_ = false; }
+
   /// Notes a key that an unknown key probably meant, so that it is not also reported as missing.
   void expect(std::string pointer) { expected_.insert(std::move(pointer)); }
   bool expected(const std::string& pointer) const { return expected_.contains(pointer); }
@@ -50,11 +53,12 @@ class Findings {
     std::optional<Place> first;  // first place of a duplicate key
   };
   void keep(Finding finding);
-  static std::vector<Diagnostic> report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,
-                                        std::string_view text);
+  std::vector<Diagnostic> report(std::vector<Finding> sorted, std::size_t count, std::string_view kind,
+                                 std::string_view text) const;
   std::vector<Finding> findings_;
   std::vector<Finding> warnings_;
   std::size_t count_ = 0;
+  bool names_option_ = true;
   std::set<std::string> expected_;
 };
 

@@ -86,6 +86,7 @@ void apply_overrides(Node& root, const std::vector<std::pair<std::string, std::s
 }
 
 void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings) {
+  if (!changes.empty()) findings.leave_out_option();
   for (const TreeChange& change : changes) apply(root, change.pointer, change.value, findings);
 }
 

@@ -19,7 +19,7 @@ struct TreeChange {
   bool operator==(const TreeChange&) const = default;
 };
 
-/// Applies changes in order; messages are the same as for overrides with the same values.
+/// Applies changes in order; messages are those for overrides with the same values, without the name of the option.
 void apply_changes(Node& root, const std::vector<TreeChange>& changes, Findings& findings);
 
 /// Replaces or adds values in order and creates missing objects on the way. A value that is not JSON is taken as a string.

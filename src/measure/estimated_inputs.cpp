@@ -98,7 +98,10 @@ void EstimatedInputs::add(const std::string& name) {
   if (!pointer.starts_with('/')) {
     std::vector<std::string_view> names;
     for (const CombinedName& combined : kCombinedNames) names.push_back(combined.name);
-    for (const InputRow& row : kInputs) names.push_back(row.name());
+    for (const InputRow& row : kInputs)
+      if (!row.of.empty()) names.push_back(row.name());
+    if (name == "pivot_offset_m")
+      refuse_estimate(name, "is no single number; estimate its parts, e.g. /platform/pivot_offset_m/0");
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }
@@ -166,6 +169,7 @@ void EstimatedInputs::turn(Scenario& scenario, const std::vector<double>& values
   scenario.rotation_rate_rad_s = sign * real::hypot(up, north);
   scenario.excess_length_of_day_ms = 0;
   scenario.site.latitude_deg = real::atan2(sign * up, sign * north) * kDegreesPerRad;
+  scenario.gravity_anomaly_m_s2 = 0;  // gravity stays as it is, and does not follow the latitude
 }
 
 /// Sets the body's inertia ratio and the distance of its centre of mass. @returns whether such a body is possible

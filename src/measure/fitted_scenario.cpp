@@ -37,6 +37,8 @@ std::string with_combined_inputs(std::string text, const Scenario& wanted,
   put("/earth/rotation_rate_rad_s", before.rotation_rate_rad_s, wanted.rotation_rate_rad_s);
   put("/site/latitude_deg", before.site.latitude_deg, wanted.site.latitude_deg);
   put("/effects/excess_length_of_day_ms", before.excess_length_of_day_ms, wanted.excess_length_of_day_ms);
+  if (before.gravity_anomaly_m_s2 != wanted.gravity_anomaly_m_s2)
+    text = input::without_member(text, "/site/gravity_anomaly_m_s2");
   put("/site/gravity_m_s2", read(text).site.gravity_m_s2, wanted.site.gravity_m_s2);  // by default it follows the latitude
   if (before.body != wanted.body) text = input::with_value(text, "/body", written(json_of(canonical_json(wanted)).at("body")));
   return text;
@@ -45,12 +47,13 @@ std::string with_combined_inputs(std::string text, const Scenario& wanted,
 /// The claims of a text on its scenario's own numbers, which are others now.
 constexpr std::string_view kClaims[] = {"/headline", "/criteria"};
 
-/// Whether two scenarios differ at most in their claims and their names: without one in the text a scenario has its file's.
-bool are_alike(Scenario a, const Scenario& b) {
-  a.name = b.name;
-  a.headline = b.headline;
-  a.criteria = b.criteria;
-  return a == b;
+/// Requires that two scenarios differ at most in their claims and their names: without one in the text a scenario has its file's.
+void require_alike(Scenario there, const Scenario& wanted) {
+  there.name = wanted.name;
+  there.headline = wanted.headline;
+  there.criteria = wanted.criteria;
+  if (there != wanted)
+    throw ScenarioError("", "the scenario would be a different one there: does it name a file in its own directory?");
 }
 
 }  // namespace
@@ -59,9 +62,7 @@ bool are_alike(Scenario a, const Scenario& b) {
 void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                const std::string& file) {
   using namespace measure;
-  const Scenario scenario = read_in_place(source, changed_text(source.text, overrides), file);
-  if (!are_alike(scenario, parse_scenario(source, overrides)))
-    throw ScenarioError("", "the scenario would be a different one there: does it name a file in its own directory?");
+  require_alike(read_in_place(source, changed_text(source.text, overrides), file), parse_scenario(source, overrides));
 }
 
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
@@ -86,8 +87,7 @@ std::string fitted_scenario(const ScenarioSource& source, const std::vector<std:
   std::string text = changed_text(changed_text(source.text, overrides), estimates);
   for (const std::string_view key : kClaims) text = input::without_member(text, key);
   text = with_combined_inputs(text, fitted, [&](const std::string& now) { return read_in_place(source, now, file); });
-  if (!are_alike(read_in_place(source, text, file), fitted))
-    throw ScenarioError("", "no scenario file can hold exactly these estimates");
+  require_alike(read_in_place(source, text, file), fitted);
   return text;
 }
 

@@ -291,7 +291,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   const std::vector<std::string>& estimates = options.estimates;
   if (measurement.values.empty()) throw ScenarioError("", "no measured value");
   if (!(options.correlation_time_s >= 0) || !std::isfinite(options.correlation_time_s))
-    throw ScenarioError("--correlation-time", "must be a time above 0 (s)");
+    throw ScenarioError("--correlation-time", "must be a time of at least 0 (s)");
   if (options.priors && estimates.empty())
     throw ScenarioError("--priors", "applies only to numbers that are estimated; name them with --estimate");
   const Scene given = parse_scene(source, overrides);

@@ -96,8 +96,8 @@ std::string advice_on(const PlanReport& report) {
                                     : fmt::format("{} would be known to ± {:.3g}{}{}. ", target.name, *target.standard_error,
                                                   target.unit.empty() ? "" : " ", target.unit);
   const auto sentence = [&](const PlanVariation& change) {
-    return fmt::format("{}: its standard error would be {:.3g} times smaller, {:.2e}{}{}", change_text(report, change),
-                       gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);
+    return fmt::format("{}: the standard error of {} would be {:.3g} times smaller, {:.2e}{}{}", change_text(report, change),
+                       target.name, gain(report, change), *change.standard_error, target.unit.empty() ? "" : " ", target.unit);
   };
   if (report.changes.empty() || gain(report, report.changes[0]) < 1.05)
     return text + "None of the changes considered makes its standard error smaller by as much as a twentieth.";

@@ -264,7 +264,7 @@ void require_design(const ScenarioSource& source, const Overrides& overrides, co
       const ScenarioReport report = examine(document, {{input->pointer, limit}});
       for (const Diagnostic& error : report.errors)
         if (error.pointer == input->pointer)
-          refuse_design(input->pointer, fmt::format("a limit is not possible: {:g}: {}", limit, error.message));
+          refuse_design(input->pointer, fmt::format("a limit is not possible: {}", error.message));
     }
   }
 }

@@ -38,7 +38,10 @@ bool add_prior(Numbers& numbers, const measure::InputPlace& place, double standa
     return true;
   } catch (const ScenarioError& error) {
     const Diagnostic& first = error.diagnostics().front();
-    if (why.empty()) why = fmt::format("{}{}{}", first.pointer, first.pointer.empty() ? "" : ": ", first.message);
+    constexpr std::string_view kOption = "--estimate ";  // nobody gave it: the scenario names the input
+    std::string_view name = first.pointer;
+    if (name.starts_with(kOption)) name.remove_prefix(kOption.size());
+    if (why.empty()) why = fmt::format("{}{}{}", name, name.empty() ? "" : ": ", first.message);
     return false;
   }
 }

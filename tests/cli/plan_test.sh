@@ -13,7 +13,7 @@ azimuth="--measure azimuth_deg --sigma 0.01 --every 0.5"
 {
   expect 0 plan "$top" $azimuth
   on_stdout 'omega_sin_latitude_rad_s  5.156304e-05 ± 4.5[0-9]*e-07 rad/s: 11[0-9] sigma'
-  says 'To change first: measure 2 times as long, to 120 s: its standard error would be 2.8[0-9]* times smaller'
+  says 'To change first: measure 2 times as long, to 120 s: the standard error of omega_sin_latitude_rad_s would be 2.8[0-9]* times smaller'
   nothing_on_stderr
   expect 0 plan "$top" $azimuth --until 7.5
   on_stdout 'every 0.5 s to 7.5 s: 16 rows'

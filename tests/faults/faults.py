@@ -279,6 +279,24 @@ def disturb(bench, job, usual, fault, seconds):
         shutil.rmtree(where, ignore_errors=True)
 
 
+# What a job says of one of its calls that fails.
+SENTENCES = [("check", "stat", "top.json: error: cannot be examined (Input/output error); check the file"),
+             ("compare", "stat", "cannot be examined (Input/output error); check the disk"),
+             ("check", "read", "top.json: error: reading failed (Input/output error); check the file")]
+
+
+def unsaid(bench):
+    """The sentences that no failing call of their job brings about."""
+    missing = []
+    for name, kind, sentence in SENTENCES:
+        job_ = next(one for one in JOBS if one.name == name)
+        count = int(Undisturbed(bench, job_).counts.get(kind, 0))
+        ends = (bench.run(job_.arguments, bench.fresh(), fault=f"{kind}:{n}:once") for n in range(1, count + 1))
+        if not any(end and end.returncode == 4 and sentence in end.stderr for end in ends):
+            missing.append(f"{name}, {kind}: not said: {sentence}")
+    return missing
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -297,8 +315,10 @@ def main():
     with tempfile.TemporaryDirectory(prefix="earthtop-faults-", dir=memory_disk if memory_disk.is_dir() else None) as folder, \
             concurrent.futures.ThreadPoolExecutor(arguments.workers) as pool:
         bench = Bench(program, shim, pathlib.Path(folder))
+        missing = unsaid(bench)
+        print("\n".join(missing), end="\n" if missing else "")
         print(f"{'job':18} {'fault':12} {'faults':>6}  status: how often; problems (seed {arguments.seed})")
-        total, wrong = 0, 0
+        total, wrong = 0, len(missing)
         for job_ in JOBS:
             if arguments.only and job_.name not in arguments.only:
                 continue

@@ -63,6 +63,11 @@ TEST(ScenarioSyntax, NulAndOtherEncodingsAreRefused) {
   expect_one("{\"_a\": \"\xF4\x90\x80\x80\"}", "1:9 ", "not valid UTF-8");  // over U+10FFFF
 }
 
+TEST(ScenarioSyntax, ATextHasAtMost16MiB) {
+  expect_one(std::string((std::size_t{16} << 20) + 1, ' '), "1:1 ", "the text has 16777217 bytes; at most 16 MiB are allowed");
+  EXPECT_NO_THROW(parse(kMinimal + std::string((std::size_t{16} << 20) - kMinimal.size(), ' ')));
+}
+
 TEST(ScenarioSyntax, NumbersNeitherOverflowNorVanishSilently) {
   const auto with_mass = [](const std::string& mass) { return replaced(kMinimal, "0.1", mass); };
   for (const std::string number : {"1e999", "-1e999", "1e309", "123456789e308", "1e99999999999999999999"})

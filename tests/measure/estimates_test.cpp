@@ -5,11 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "measure/estimated_inputs.hpp"
 #include "measure/made_up_measurements.hpp"
+#include "measure/weighted_fit.hpp"
 #include "support/json.hpp"
 
 namespace earthtop {
@@ -300,6 +303,36 @@ TEST_F(MeasurementTest, NamesThatCannotBeEstimatedAreRefused) {
   refused({"a", "b", "c", "d", "e", "f", "g", "h", "i"}, "at most 8");
   refused({"omega_sin_latitude_rad_s"}, "deflection of the vertical",
           {{"/effects/deflection_of_vertical", R"({"north_arcsec": 5, "east_arcsec": 0})"}});
+}
+
+/// A fit of one number, from 0, to residuals that are a function of it; no number is where there is no prediction.
+measure::Fit fit_of(const std::function<std::optional<double>(double)>& residual) {
+  measure::FitProblem problem;
+  problem.start = {0};
+  problem.scales = problem.standard_error = {1};
+  problem.period = {0};
+  problem.residuals_at = [&](const std::vector<double>& numbers, std::vector<double>& residuals) {
+    const std::optional<double> found = residual(numbers[0]);
+    residuals = {found.value_or(0)};
+    return found.has_value();
+  };
+  problem.stopped = [] { return false; };
+  return fit_weighted(problem);
+}
+
+TEST(WeightedFit, SaysWhyItDoesNotConverge) {
+  const auto exponential = fit_of([](double x) { return std::optional(1e60 * std::exp(-x)); });
+  EXPECT_EQ(exponential.outcome, FitOutcome::not_converged);
+  EXPECT_EQ(exponential.reason, "the sum of squares is still decreasing");
+  EXPECT_EQ(exponential.iterations, 100);
+  EXPECT_EQ(fit_of([](double x) { return std::optional(1e10 * std::exp(-x)); }).outcome, FitOutcome::converged);
+  const auto kink = fit_of([](double x) { return std::optional(1 + std::abs(x) * (x < 0 ? 1 : 3)); });
+  EXPECT_EQ(kink.outcome, FitOutcome::not_converged);
+  EXPECT_EQ(kink.reason, "no step reduces the sum of squares, though to first order it is not at its minimum");
+  // The step to the minimum meets the only number there that has a prediction.
+  const auto alone = fit_of([](double x) { return x < 0.5 || x == 1 ? std::optional((x - 1) * (x < 0.5 ? 1e-3 : 1)) : std::nullopt; });
+  EXPECT_EQ(alone.outcome, FitOutcome::prediction_failed);
+  EXPECT_EQ(alone.reason, "on the way to the minimum of the sum of squares there is no prediction");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <functional>
 
 #include "earthtop/frames/rotation.hpp"
 #include "earthtop/run.hpp"
@@ -26,6 +27,14 @@ const char* const kTopWithNote = R"({
 
 class FittedScenario : public MeasurementTest {
  protected:
+  static void expect_refused(const std::function<void()>& work, const std::string& words) {
+    try {
+      work();
+      ADD_FAILURE() << words;
+    } catch (const ScenarioError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
   ScenarioSource source() const { return {(directory_.path() / "top.json").string(), kTopWithNote}; }
   /// The motion of a slightly other top, with errors.
   Measurement measurement(const Overrides& truth) const {
@@ -112,7 +121,18 @@ TEST_F(FittedScenario, IsRefusedWithoutAFit) {
   const Measurement data = measurement({});
   const auto report = compare_with_measurement(source(), {}, data, {.estimates = {"/release/spin_angle_deg"}});
   EXPECT_EQ(report.fit, FitOutcome::not_determined);
-  EXPECT_THROW(fitted_scenario(source(), {}, report, "fitted.json"), ScenarioError);
+  expect_refused([&] { fitted_scenario(source(), {}, report, "fitted.json"); },
+                 "there is no fit whose estimates could be written");
+  auto fitted = compare_with_measurement(source(), {}, data, {.estimates = {"tilt_deg"}});
+  fitted.estimates[0].estimate = 181;
+  expect_refused([&] { fitted_scenario(source(), {}, fitted, "fitted.json"); }, "no scenario has these estimates");
+}
+
+// A spin in revolutions gives way to an estimated one in radians, and an anomaly of gravity to gravity itself, where the latitude
+// is estimated without it.
+TEST_F(FittedScenario, HasOneOfTwoKeysForAQuantity) {
+  expect_same_motion({"spin_rad_s"}, {{"/release/spin_rpm", "1910"}}, {{"/release/spin_rad_s", "199"}});
+  expect_same_motion({"omega_sin_latitude_rad_s"}, {{"/site/gravity_anomaly_m_s2", "1e-3"}}, {{"/site/latitude_deg", "47"}});
 }
 
 // A scenario that names a file is another one in another directory.

@@ -64,7 +64,7 @@ TEST(Plan, ABalancedGyroscopesVerticalRate) {
   EXPECT_EQ(variation(report, PlanChange::rows, 4).rows, 481u);
   // Twice as long means 2^1.5 times smaller an error, more than any other change.
   EXPECT_EQ(report.changes.at(0).change, PlanChange::duration);
-  EXPECT_NE(report.advice.find("measure 2 times as long, to 120 s: its standard error would be 2.8"), std::string::npos)
+  EXPECT_NE(report.advice.find("measure 2 times as long, to 120 s: the standard error of omega_sin_latitude_rad_s would be 2.8"), std::string::npos)
       << report.advice;
 }
 
@@ -303,11 +303,11 @@ TEST(Plan, RefusalsSayWhatInstead) {
   };
   refused(with([](auto& plan) { plan.quantities.clear(); }), "name what is measured");
   refused(with([](auto& plan) { plan.quantities.push_back(planned_quantity("azimuth_rad", 1)); }), "is measured already");
-  refused(with([](auto& plan) { plan.every_s = 0; }), "--every");
+  refused(with([](auto& plan) { plan.every_s = 0; }), "--every: must be a time above 0 (s)");
   refused(with([](auto& plan) { plan.every_s = 61; }), "longer than the measurement");
   refused(with([](auto& plan) { plan.every_s = 1e-4; }), "take a longer one");
-  refused(with([](auto& plan) { plan.until_s = -1; }), "--until");
-  refused(with([](auto& plan) { plan.correlation_time_s = -1; }), "--correlation-time");
+  refused(with([](auto& plan) { plan.until_s = -1; }), "--until: must be a time above 0 (s)");
+  refused(with([](auto& plan) { plan.correlation_time_s = -1; }), "--correlation-time: must be a time of at least 0 (s)");
   refused(with([](auto& plan) { plan.nuisances = {"spin"}; }), "did you mean");
   refused(with([](auto& plan) { plan.nuisances = {"latitude_deg"}; }), "stands for the rotation rate and the latitude");
   const auto same = [](auto&) {};
@@ -320,6 +320,9 @@ TEST(Plan, RefusalsSayWhatInstead) {
                            "/release/tilt_deg=a:b", "/release/tilt_deg=1:inf", "/release/tilt_deg=5:6:7"})
     refused([&] { design_input(text); }, "LOW:HIGH");
   refused([] { design_input("/release/tilt_deg=6:5"); }, "below the second");
+  const Overrides one_step = {{"/numerics", R"({"method": "gauss", "step_s": 1})"}, {"/motion/output_step_s", "1"}};
+  refused([&] { simulated_measurement(shipped("toy-top"), one_step, plan_for("tilt_deg", 1, 1, 2), 1); },
+          "--write-data: the scenario's motion ended with not_converged");
   // A vertical axis has no azimuth.
   refused([&] { plan_measurement(source, {{"/release/tilt_deg", "0"}}, plan_for("azimuth_deg", 1, 1, 10)); }, "has no azimuth");
 }

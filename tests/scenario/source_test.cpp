@@ -132,9 +132,24 @@ TEST(OutputTimes, AreProductsAndEndAtTheDuration) {
   EXPECT_EQ(output_times(1 + 0.4e-9, 0.5), (std::vector<double>{0, 0.5, 1 + 0.4e-9}));
   EXPECT_EQ(output_times(1 + 0.6e-9, 0.5), (std::vector<double>{0, 0.5, 1, 1 + 0.6e-9}));
   EXPECT_EQ(output_times(1'999'999, 1).size(), 2'000'000u);
-  for (const auto& [duration, step] :
-       std::vector<std::pair<double, double>>{{2'000'000, 1}, {1, 0}, {0, 1}, {-1, 1}, {1, NAN}, {INFINITY, 1}})
-    EXPECT_THROW(output_times(duration, step), ScenarioError) << duration << " " << step;
+  struct Refused {
+    double duration_s, step_s;
+    const char* says;
+  };
+  for (const auto& [duration, step, says] :
+       {Refused{2'000'000, 1, "about 2e+06 output rows; at most 2000000 are allowed"},
+        {1, 0, "0 is not a time step; must be above 0 (s)"},
+        {0, 1, "0 is not a duration; must be above 0 (s)"},
+        {-1, 1, "-1 is not a duration; must be above 0 (s)"},
+        {1, NAN, "nan is not a time step; must be above 0 (s)"},
+        {INFINITY, 1, "inf is not a duration; must be above 0 (s)"}}) {
+    try {
+      output_times(duration, step);
+      ADD_FAILURE() << says;
+    } catch (const ScenarioError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+  }
   for (const double duration : {1.0, 0.7, 1e-3, 86164.1, 3e7 / 7}) {
     const auto rows = output_times(duration, duration / 1000);
     EXPECT_EQ(rows.size(), 1001u) << duration;

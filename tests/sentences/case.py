@@ -91,7 +91,7 @@ def changed(scenario, changes):
         with open(os.path.join(ROOT, "scenarios", scenario + ".json"), encoding="utf-8") as file:
             scenario = json.load(file)
     result = json.loads(json.dumps(scenario))
-    for pointer, value in changes.items():
+    for pointer, value in json.loads(json.dumps(changes)).items():  # copies: a later change may be within an earlier one
         *way, last = pointer.split("/")[1:]
         node = result
         for key in way:

@@ -20,8 +20,8 @@ std::string strong(std::string_view text, std::string_view code, bool color) {
 }
 
 std::string chi_squared_text(const ChiSquared& chi_squared) {
-  std::string text =
-      fmt::format("chi-squared {:.6g} of {} degrees of freedom", chi_squared.value, chi_squared.degrees_of_freedom);
+  std::string text = fmt::format("chi-squared {:.6g} of {} degree{} of freedom", chi_squared.value,
+                                 chi_squared.degrees_of_freedom, chi_squared.degrees_of_freedom == 1 ? "" : "s");
   if (chi_squared.p_value)
     text += *chi_squared.p_value >= 1e-4 || *chi_squared.p_value == 0 ? fmt::format(", p-value {:.4g}", *chi_squared.p_value)
                                                                       : fmt::format(", p-value {:.1e}", *chi_squared.p_value);

@@ -94,12 +94,18 @@ std::string variations_text(const PlanReport& report) {
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
 }
 
+/// What a standard error is that is smaller than now by a factor, which may be less than 1.
+std::string against_now(double gain) {
+  const std::string times = fmt::format("{:.3g}", std::max(gain, 1 / gain));
+  return times == "1" ? "as large as now" : fmt::format("{} times {} than now", times, gain < 1 ? "larger" : "smaller");
+}
+
 std::string optimum_text(const PlanReport& report, const Screen& screen) {
   const PlanOptimum& optimum = *report.optimum;
   const PlannedEstimate& target = report.estimates[0];
   std::string text =
       fmt::format("\nBest within the limits, {} designs tried{}\n", optimum.evaluations,
-                  optimum.avoided > 0 ? fmt::format(", {} of them without a motion to rely on", optimum.avoided) : "");
+                  optimum.avoided > 0 ? fmt::format(", {} of them in vain: no motion to rely on, or numbers not determined", optimum.avoided) : "");
   const auto add = [&](const std::string& line) { text += wrapped("  " + line, screen.width, 6) + '\n'; };
   std::string sets;
   for (const DesignChoice& choice : optimum.choices) {
@@ -108,10 +114,9 @@ std::string optimum_text(const PlanReport& report, const Screen& screen) {
                     choice.is_at_limit ? ", at the limit" : "", choice.given));
     sets += fmt::format(" --set {}={:.6g}", choice.input.pointer, choice.best);
   }
-  const double gain = *target.standard_error / optimum.standard_error;
-  add(fmt::format("{}  ± {}: {:.3g} sigma, {:.3g} times {} than now; {} rows", printable(target.name),
+  add(fmt::format("{}  ± {}: {:.3g} sigma, {}; {} rows", printable(target.name),
                   with_unit(fmt::format("{:.2e}", optimum.standard_error), target.unit), optimum.significance,
-                  std::max(gain, 1 / gain), gain < 1 ? "larger" : "smaller", optimum.rows));
+                  against_now(*target.standard_error / optimum.standard_error), optimum.rows));
   return text + "  with" + printable(sets) + "\n";
 }
 

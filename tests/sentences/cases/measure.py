@@ -1,11 +1,264 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What `compare` says of a measurement, and `plan` of a planned one."""
+import json
+import math
+import re
+
 from case import Case
 
+GYRO = "free-gyro"  # balanced, released level towards East at 45 degrees North: its azimuth grows as the Earth turns under it
+OMEGA = 7.292115e-5  # rad/s
+SHORT = {"/motion": {"duration_s": 2}, "/headline": None}  # of the toy top
+TILTS = "t_s,tilt_deg,tilt_se_deg\n0,20,0.1\n1,20.1,0.1\n2,20,0.1\n"
+AZIMUTHS = "t_s,azimuth_deg,azimuth_se_deg\n0,90,0.01\n10,90.02,0.01\n30,90.09,0.01\n60,90.177,0.01\n"
+ONE_STEP = {"/numerics": {"method": "gauss", "step_s": 1}, "/motion/output_step_s": 1}  # too long a step for the toy top
+NO_PRECESSION = {"/release/precession": "steady_slow"}  # it needs equal moments I1 and I2
+
+
+def azimuth(value, error=0.01, t_s=0):
+    return f"t_s,azimuth_deg,azimuth_se_deg\n{t_s},{value},{error}\n"
+
+
+def gyro_azimuth_deg(t_s):
+    """The axis turns by -Omega t about the celestial axis, to which the released one is perpendicular."""
+    turned = OMEGA * t_s
+    return math.degrees(math.atan2(math.cos(turned), -math.sin(turned) * math.sqrt(0.5)))
+
+
+def compared(options, says, data, scenario="toy-top", **more):
+    """A scenario compared with a measurement."""
+    if scenario == "toy-top":
+        more["set"] = {**SHORT, **more.get("set", {})}
+    return Case(f"compare s.json m.csv {options}", says, scenario=scenario, files={"m.csv": data, **more.pop("beside", {})}, **more)
+
+
+def planned(options, says, scenario=GYRO, **more):
+    """A measurement planned, of the azimuth where nothing else is said."""
+    if scenario == "toy-top":
+        more["set"] = {**SHORT, **more.get("set", {})}
+    what = "" if "--measure" in options else "--measure azimuth_deg --sigma 0.01 --every 1 "
+    return Case(f"plan s.json {what}{options}", says, scenario=scenario, **more)
+
+
+def numbers(text, pattern):
+    """The numbers in a sentence."""
+    found = re.search(pattern.replace("#", r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)"), text)
+    return [float(number) for number in found.groups()] if found else []
+
+
+def near(text, pattern, *expected, part=1e-3):
+    found = numbers(text, pattern)
+    return len(found) == len(expected) and all(abs(a - b) <= part * abs(b) for a, b in zip(found, expected))
+
+
+def document(quantity="azimuth"):
+    """What `compare --json` writes, with three residuals, one of them large."""
+    residuals = [{"t_s": t, "quantity": quantity, "line": 2, "measured_rad": 0.1 + r, "predicted_rad": 0.1, "residual_rad": r,
+                  "standard_error_rad": 0.01, "normalised": r / 0.01} for t, r in ((0, 0.01), (1, -0.01), (2, 0.0501))]
+    chi_squared = {"value": 27.1, "degrees_of_freedom": 3, "per_degree_of_freedom": 9.0, "p_value": 5.6e-6, "of_priors": 0}
+    return json.dumps({"$schema": "earthtop-measurement-1.json", "scenario": {"name": "top", "sha256": "0" * 64}, "file": "m.csv",
+                       "rows": 3, "quantities": [{"name": quantity, "values": 3}], "agrees": False, "least_p_value": 0.001,
+                       "prediction": {"status": "completed", "reached_s": 2, "verdict": "reliable"},
+                       "chi_squared": {"as_given": chi_squared, "fitted": None},
+                       "fit": {"outcome": "not_asked", "reason": "", "iterations": 0, "predictions": 1}, "estimates": [],
+                       "correlation": [], "priors": [], "unused_priors": [], "correlation_time_s": None,
+                       "largest_residual": residuals[2], "residuals_of": "as_given", "residuals": residuals, "curve": None,
+                       "notes": []})
+
+
+TABLE = {"/platform": {"motion": "table", "file": "angles.csv", "axis": [0, 0, 1]}}
+ANGLES = "t_s,angle_rad\n0,0\n1,0.1\n2,0.2\n3,0.3\n"
+RIM = {"/contact": {"tip_radius_m": 0.002, "law": "frictionless", "max_tilt_deg": 20.05}}  # it comes to 20.05 degrees at once
+RIM_TOUCHES = " s the tilt exceeds the largest one allowed, and the rim touches the table: the run ends; "
+CHAOS = "hard/h11-chaotic"
+AXES = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_deg,drift_azimuth_deg,drift_azimuth_se_deg,drift_tilt_deg,drift_tilt_se_deg\n" \
+       "0,1,0,0,0.1,0,0.1,0,0.1\n60,1,0,0,0.1,0.2,0.1,0,0.1\n"
+
 CASES = [
-    Case("plan s.json --measure azimuth_deg --sigma 0.01 --every 1 --set '/uncertainty={\"latitude_deg\": 1}'",
-         "the stated uncertainty of latitude_deg says how well omega_sin_latitude_rad_s is known; it is no datum",
-         scenario="free-gyro"),
-    Case("plan s.json --measure azimuth_deg --sigma 0.01 --every 1 --estimate tilt_deg --nuisance /release/azimuth_deg",
-         "tilt_deg would be known to ± ", scenario="toy-top"),
+    # files of measured values
+    compared("", "there is no column t_s, the time since the release (s)", "tilt_deg,tilt_se_deg\n20,1\n", status=2),
+    compared("", "m.csv:2:1: error: there is no measured value; a row needs a time, a value and its standard error",
+             "t_s,tilt_deg,tilt_se_deg\n0,,\n", status=2),
+    compared("", "m.csv:200002:1: error: more than 200000 rows; average neighbouring ones",
+             "t_s,tilt_deg,tilt_se_deg\n" + "0,20,1\n" * 200_001, status=2),
+    Case("report m.json", "is not as this program writes it; write it anew ([json.exception.type_error.302] not a measured quantity: "
+         "speed)", scenario=None, files={"m.json": document("speed")}, status=2),
+
+    # what can be estimated
+    compared("--estimate tilt_deg --estimate spin_rad_s --estimate gravity_m_s2 --estimate latitude_deg --estimate inertia_ratio "
+             "--estimate center_of_mass_m --estimate rotation_rate_rad_s --estimate /release/azimuth_deg --estimate /body/mass_kg",
+             "--estimate /body/mass_kg: at most 8 numbers can be estimated at once", TILTS, status=2),
+    compared("--estimate /release/spin_rpm --estimate spin_rad_s",
+             "--estimate /release/spin_rpm: is the spin in another unit; estimate either it or spin_rad_s", TILTS, status=2,
+             set={"/release/spin_rad_s": None, "/release/spin_rpm": 1910}),
+    compared("--estimate /release/spin_rpm",
+             "--estimate /release/spin_rpm: is not in the scenario; add it there, with the value from which to start", TILTS,
+             status=2, unless={"/release/spin_rad_s": None, "/release/spin_rpm": 1910}),
+    compared("--estimate pivot_offset_m",
+             "--estimate pivot_offset_m: is no single number; estimate its parts, e.g. /platform/pivot_offset_m/0", TILTS,
+             status=2, holds=lambda text: "did you mean" not in text),
+    compared("--estimate platform_rate_rad_s", '/platform/motion: is missing; must be "constant", "ramp", "harmonic", "table"',
+             TILTS, status=2, holds=lambda text: "--set" not in text),
+    compared("--priors", "--priors: applies only to numbers that are estimated; name them with --estimate", TILTS, status=2),
+    compared("", "/effects: the choice of effects is left to the program; to compare with a measurement, name them", TILTS, status=2,
+             set={"/effects": "auto", "/accuracy/drift_rad": 1e-6}, unless={"/effects": {"coriolis": True}}),
+
+    # the fitted scenario
+    compared("--estimate tilt_deg --write-scenario other/f.json",
+             "the scenario would be a different one there: does it name a file in its own directory?", TILTS, status=2, set=TABLE,
+             beside={"angles.csv": ANGLES, "other/angles.csv": ANGLES.replace("0.3", "0.31")}),
+    compared("--estimate spin_rad_s --write-scenario f.json", "Written f.json", TILTS, status=1, page="f.json",
+             set={"/release/spin_rad_s": None, "/release/spin_rpm": 1910},
+             holds=lambda text: '"spin_rad_s": 199.' in text and '"spin_rpm"' not in text),
+    compared("--estimate omega_sin_latitude_rad_s --write-scenario f.json", "Written f.json", AZIMUTHS, scenario=GYRO, page="f.json",
+             set={"/site/gravity_m_s2": None, "/site/gravity_anomaly_m_s2": 1e-4},
+             holds=lambda text: '"gravity_m_s2": 9.80' in text and '"gravity_anomaly_m_s2"' not in text),
+
+    # agreement; one value 3 and 3.3 standard errors off
+    compared("", "As given chi-squared 9 of 1 degree of freedom, p-value 0.0027 Agreement yes", azimuth(90.03), scenario=GYRO,
+             holds=lambda text: abs(math.erfc(3 / math.sqrt(2)) - 0.0027) < 5e-6),
+    compared("", "As given chi-squared 18 of 2 degrees of freedom", azimuth(90.03) + "0,90.03,0.01\n", scenario=GYRO, status=1),
+    compared("", "Agreement no: the p-value is below 0.001", azimuth(90.033), scenario=GYRO, status=1,
+             unless={"/release/azimuth_deg": 90.001}),
+    compared("--estimate spin_rad_s",
+             ["Prediction ended at 0 s: not_converged", "prediction_failed: the scenario's own motion ended with not_converged",
+              "Agreement no: the prediction does not reach the last row"], TILTS, status=3, set=ONE_STEP,
+             unless={"/numerics/step_s": 0.001}),
+    compared("", "Residuals, measured less predicted t_s quantity residual_rad st_error_rad st. errors 0 azimuth +5.2360e-04 "
+                 "1.7453e-04 +3.000", azimuth(90.03), scenario=GYRO),
+    compared("--estimate tilt_deg --priors", "Prior latitude_deg did not enter: it is not estimated; add --estimate latitude_deg to "
+             "use it", TILTS, status=1, set={"/uncertainty": {"latitude_deg": 1, "tilt_deg": 1}},
+             unless={"/uncertainty/latitude_deg": None}),
+    compared("", "Note the scatter is smaller than the standard errors would make it: are they too large, or are the rows averages?",
+             "t_s,azimuth_deg,azimuth_se_deg\n" + "".join(f"{t},{gyro_azimuth_deg(t)},0.01\n" for t in range(0, 60, 6)),
+             scenario=GYRO, unless={"/release/azimuth_deg": 90.005}),
+    compared("", "Note an azimuth is off by more than a quarter turn: is it counted clockwise from North?", azimuth(180.1),
+             scenario=GYRO, status=1, unless={"/release/azimuth_deg": 90.2}),
+    compared("--estimate /release/spin_angle_deg", "an azimuth is off by more than a quarter turn: is it counted clockwise from North, "
+             "and does the fit start close enough?", azimuth(180.1), scenario=GYRO, status=1, unless={"/release/azimuth_deg": 90.2}),
+
+    # rows without a prediction
+    compared("", "m.csv:2:1: error: at 0 s the predicted axis is vertical and has no azimuth; leave the cell empty, or measure "
+             "axis_L_x, _y, _z", azimuth(90), scenario=GYRO, status=2, set={"/release/tilt_deg": 0},
+             unless={"/release/tilt_deg": 1}),
+    compared("", ["m.csv:3:1: error: at 0.00", RIM_TOUCHES + "leave out later rows"], TILTS, status=2, set=RIM,
+             unless={"/contact/max_tilt_deg": 90}),
+    compared("", "As given chi-squared ", TILTS.split("1,20.1")[0], set=RIM),
+    compared("", ["m.csv:3:1: error: after 6.2", " s the scenario's motion is chaotic, and its prediction means nothing: ",
+                  "; leave out later rows"], "t_s,tilt_deg,tilt_se_deg\n6,20,1\n7,20,1\n", scenario=CHAOS, status=2),
+    compared("", "Measured 1 rows: 1 of tilt", "t_s,tilt_deg,tilt_se_deg\n6,20,1\n", scenario=CHAOS, status=1),
+    compared("", ["m.csv:3:1: error: after 1.9", " s the scenario's motion is unstable, and its prediction means nothing: ",
+                  "; leave out the rows from then to 3.4"], "t_s,tilt_deg,tilt_se_deg\n0,0,1\n3,0,1\n6,0,1\n", scenario="tippe-top",
+             status=2, set={"/release/tilt_deg": 5e-7}, unless={"/release/tilt_deg": 1}),
+    compared("", "Measured 2 rows: 2 of tilt", "t_s,tilt_deg,tilt_se_deg\n1.9,0,1\n3.6,0,1\n", scenario="tippe-top", status=1,
+             set={"/release/tilt_deg": 5e-7}),
+    compared("--estimate /body/inertia/principal_kg_m2/0",
+             "Fit prediction_failed: there is no prediction next to the values from which the fit starts", TILTS, status=1,
+             set=NO_PRECESSION, unless={"/release/precession": "none"}),
+
+    # what estimates are called
+    *[compared(f"--estimate {name}", f"{spoken} is ", TILTS, status=status)
+      for name, spoken, status in (("tilt_deg", "the tilt at release", 1), ("/release/tilt_deg", "the tilt at release", 1),
+                                   ("inertia_ratio", "the ratio I3/I1 of the moments", 1),
+                                   ("center_of_mass_m", "the distance of the centre of mass", 0))],
+    compared("--estimate /release/azimuth_deg", "the azimuth at release is 89.9979 ± 0.0050 deg", AZIMUTHS, scenario=GYRO),
+    compared("--estimate /release/spin_angle_deg", "the spin angle at release is ", 
+             "t_s,tilt_deg,tilt_se_deg\n0,20,1\n0.05,21,1\n0.1,20.5,1\n1,20,1\n",
+             set={"/body/inertia/principal_kg_m2": [1.2e-4, 1.1e-4, 4e-5]}),
+
+    # the picture
+    compared("--svg p.svg", ["m.csv and free-gyro", "Measured values with their standard errors, and the model as the scenario gives it",
+                             "Azimuth of the axis", "Tilt of the axis", "Drift in azimuth", "Drift in tilt",
+                             "Drift in tilt: measured minus model", "Time since release (s)"], AXES, scenario=GYRO, page="p.svg"),
+    compared("--svg p.svg --estimate tilt_deg", "and the model with the fitted numbers", TILTS, status=1, page="p.svg"),
+    Case("compare s.json m.csv --svg p.svg", "model, the mean of its swings", status=1, page="p.svg",
+         files={"m.csv": azimuth(90, 1, 0) + "1000,90,1\n3000,90,1\n"}),
+    compared("--svg p.svg", "model", azimuth(90) + "1,90,1\n", page="p.svg", status=1,
+             holds=lambda text: "the mean of its swings" not in text),
+    Case("report m.json --out m.html", ["How often each size occurs", "Number of values", "expected of the stated errors",
+                                        "1 of 3 values lie beyond 5 standard errors and are counted in the bins at the ends"],
+         scenario=None, files={"m.json": document()}, page="m.html"),
+
+    # plans
+    planned("--set '/uncertainty={\"latitude_deg\": 1}'",
+            "the stated uncertainty of latitude_deg says how well omega_sin_latitude_rad_s is known; it is no datum"),
+    planned("--measure tilt_deg --sigma 1 --every 1",
+            "Note the stated uncertainty of pivot_offset_m is not used: pivot_offset_m: is no single number; estimate its parts, e.g. "
+            "/platform/pivot_offset_m/0", scenario="toy-top",
+            set={"/platform": {"motion": "constant", "rate_rad_s": 0.1, "pivot_offset_m": [0.3, 0, 0]},
+                 "/uncertainty": {"pivot_offset_m": 1e-3}}, unless={"/uncertainty": None}),
+    planned("--estimate tilt_deg --nuisance /release/azimuth_deg", "tilt_deg would be known to ± ", scenario="toy-top"),
+    planned("", "A measurement of free-gyro Measured azimuth_deg ± 0.01, every 1 s to 60 s: 61 rows Predicted"),
+    planned("--correlation-time 5", "every 1 s to 60 s: 61 rows; errors correlated over 5 s"),
+    planned("", "Standard error of omega_sin_latitude_rad_s (rad/s): duration, rows, sigma to 7.5 s, 8 rows",
+            # the azimuth grows by the vertical rate times the time
+            holds=lambda text: near(text, r"to 60 s, 61 rows # 1 times",
+                                    math.radians(0.01) / math.sqrt(60 * 61 * 121 / 6), part=1e-3)),
+    planned("--optimise /motion/duration_s=10:50",
+            ["Best within the limits, ", "/motion/duration_s 50, from 10 to 50, at the limit; the scenario's is 60",
+             " times larger than now; 51 rows"],
+            holds=lambda text: near(text, r": # sigma, # times larger than now", OMEGA * math.sqrt(0.5) / math.radians(0.01)
+                                    * math.sqrt(50 * 51 * 101 / 6), math.sqrt(60 * 61 * 121 / (50 * 51 * 101)), part=5e-3)
+            and "in vain" not in text),
+    planned("--optimise /motion/duration_s=10:120", [" times smaller than now; 121 rows"],
+            holds=lambda text: near(text, r" sigma, # times smaller than now", math.sqrt(120 * 121 * 241 / (60 * 61 * 121)),
+                                    part=5e-3)),
+    planned("--optimise /motion/duration_s=30:60", "as large as now; 61 rows"),
+    planned("--measure tilt_deg --sigma 1 --every 0.5 --until 2 --optimise /release/spin_rad_s=20:300",
+            [" of them in vain: no motion to rely on, or numbers not determined"], scenario="steady-precession-slow",
+            unless={"/release/precession": "none"}),
+    planned("--measure tilt_deg --sigma 1 --every 0.5 --until 2 --optimise /release/spin_rad_s=20:30",
+            "Note no design within the limits has a motion that can be relied on and determines all numbers",
+            scenario="steady-precession-slow", unless={"/release/precession": "none"}),
+    planned("--nuisance gravity_m_s2", ["these data would not determine gravity_m_s2",
+                                        "Remedy Measure another quantity, or leave gravity_m_s2 out."], status=1),
+    planned("--estimate rotation_rate_rad_s --estimate latitude_deg",
+            ["these data would not tell apart rotation_rate_rad_s, latitude_deg a change that would not be seen: "
+             "rotation_rate_rad_s by -",
+             "Remedy Say in the scenario's uncertainty block how well one of them is known, leave one out, or measure another "
+             "quantity."], status=1, unless={"/uncertainty": {"latitude_deg": 0.1}},
+            # the vertical rate stays: d Omega / Omega = -cot(latitude) d latitude
+            holds=lambda text: -0.99 > (lambda rate, degrees: rate / OMEGA / math.radians(degrees))(
+                *numbers(text, r"rotation_rate_rad_s by #, latitude_deg by #")) > -1.01),
+    planned("--estimate /body/inertia/principal_kg_m2/0 --measure tilt_deg --sigma 1 --every 1",
+            "Outcome prediction_failed: there is no prediction next to the scenario's numbers", scenario="toy-top", status=3,
+            set=NO_PRECESSION, unless={"/release/precession": "none"}),
+    planned("--measure tilt_deg --sigma 1 --every 1 --write-data d.csv",
+            ["Outcome prediction_failed: the scenario's own motion ended with not_converged",
+             "d.csv is not written: the scenario's own motion ended with not_converged"], scenario="toy-top", status=3, set=ONE_STEP,
+            unless={"/numerics/step_s": 0.001}),
+    planned("--measure tilt_deg --sigma 1 --every 1 --estimate gravity_m_s2",
+            ["--until: after 6.2", " s the scenario's motion is chaotic, and its prediction means nothing: ",
+             "; end the measurement by then"], scenario=CHAOS, status=2),
+    planned("--measure tilt_deg --sigma 1 --every 1 --until 6 --estimate gravity_m_s2", "gravity_m_s2 would be known to ",
+            scenario=CHAOS),
+    planned("--measure tilt_deg --sigma 1 --every 1", ["--until: at 0.00", RIM_TOUCHES + "end the measurement by then"],
+            scenario="toy-top", status=2, set=RIM, unless={"/contact/max_tilt_deg": 90}),
+    planned("--measure tilt_deg --sigma 1 --every 1e-4 --until 2e-3 --estimate tilt_deg", "tilt_deg would be known to ± ",
+            scenario="toy-top", set=RIM),
+
+    # the picture of a plan
+    planned("--svg p.svg", ["What a measurement would show", "free-gyro: standard error of omega_sin_latitude_rad_s",
+                            "Changed by a factor of", "measured longer", "more rows", "smaller standard errors",
+                            "the scenario's value"], page="p.svg"),
+    planned("--svg p.svg", "smaller standard errors", page="p.svg", set={"/earth": {"rotation_rate_rad_s": 0}},
+            holds=lambda text: "the scenario's value" not in text),
+
+    # what is no plan
+    planned("--optimise /site/gravity_m_s2=1:2 --optimise /site/gravity_m_s2=1:3", "--optimise /site/gravity_m_s2: is given twice",
+            status=2),
+    planned("--optimise /platform/rate_rad_s=1:2",
+            "--optimise /platform/rate_rad_s: is not in the scenario; add it there, with any value", status=2,
+            unless={"/platform": {"motion": "constant", "rate_rad_s": 1}}),
+    planned("--optimise /release/tilt_deg=1:200",
+            "--optimise /release/tilt_deg: a limit is not possible: 200 is out of range; must be a number from 0 to 180 (deg)",
+            status=2, holds=lambda text: "--set" not in text),
+    planned("--measure azimuth_deg --sigma 0 --every 1", "--sigma: of azimuth_deg must be above 0 (deg)", status=2),
+    planned("--measure azimuth_deg --sigma 0,1 --every 1",
+            "--sigma 0,1: is not a number; give a standard error in the quantity's unit, e.g. 0.01", status=2),
+    planned("--measure azimuth_deg --sigma 1 --measure azimuth_rad --sigma 1 --every 1",
+            "--measure azimuth_rad: is measured already, as azimuth_deg; keep one", status=2),
+    planned("--svg x --write-data ./x", "--svg and --write-data name the same file; give two", status=2),
+    planned("", "/effects: the choice of effects is left to the program; to plan a measurement, name them", status=2,
+            set={"/effects": "auto", "/accuracy/drift_rad": 1e-6}, unless={"/effects": {"coriolis": True}}),
 ]
