@@ -62,7 +62,8 @@ void require_alike(Scenario there, const Scenario& wanted) {
 void require_writable_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                                const std::string& file) {
   using namespace measure;
-  require_alike(read_in_place(source, changed_text(source.text, overrides), file), parse_scenario(source, overrides));
+  const Scenario scenario = parse_scenario(source, overrides);
+  require_alike(read_in_place(source, changed_text(source.text, overrides), file), scenario);
 }
 
 std::string fitted_scenario(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,

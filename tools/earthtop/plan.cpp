@@ -92,7 +92,8 @@ int plan_verb(const PlanArguments& arguments) {
     print(plan_json(report));
   else if (!arguments.quiet)
     print(plan_text(report, output_screen()));
-  if (!arguments.data.empty() && !has_data) message(fmt::format("{} is not written: {}", printable(arguments.data), report.reason));
+  if (!arguments.data.empty() && !has_data)
+    message(fmt::format("{} is not written: {}", printable(arguments.data), report.reason));
   switch (report.outcome) {
     case PlanOutcome::determined: return kDone;
     case PlanOutcome::not_determined: return kNegative;

@@ -105,7 +105,9 @@ std::string optimum_text(const PlanReport& report, const Screen& screen) {
   const PlannedEstimate& target = report.estimates[0];
   std::string text =
       fmt::format("\nBest within the limits, {} designs tried{}\n", optimum.evaluations,
-                  optimum.avoided > 0 ? fmt::format(", {} of them in vain: no motion to rely on, or numbers not determined", optimum.avoided) : "");
+                  optimum.avoided > 0
+                      ? fmt::format(", {} of them in vain: no motion to rely on, or numbers not determined", optimum.avoided)
+                      : "");
   const auto add = [&](const std::string& line) { text += wrapped("  " + line, screen.width, 6) + '\n'; };
   std::string sets;
   for (const DesignChoice& choice : optimum.choices) {

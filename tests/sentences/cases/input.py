@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is said of a text that is no scenario, of a scenario that contradicts itself, and of files that cannot be read."""
+import hashlib
 import json
 
 from case import Case, changed
@@ -38,6 +39,7 @@ def solid(**members):
 
 BLOCK = {"/body/inertia/principal_kg_m2": None, "/body/inertia/matrix_kg_m2": [[1.2e-4, 1e-5, 0], [1e-5, 1.2e-4, 0], [0, 0, 4e-5]]}
 RAMP = "0,0\n0.5,0.1\n1,0.2\n1.5,0.3\n"
+TABLE = "t_s,angle_rad\n" + RAMP
 CRITERION = {"kind": "invariant", "quantity": "energy", "tolerance": 1e-9, "why": "closed form"}
 
 CASES = [
@@ -84,9 +86,6 @@ CASES = [
                             ("/site/_a", '/site/_a: "_a" is a comment: it changes nothing'),
                             ("/motion/duration_s/x", "/motion/duration_s/x: /motion/duration_s has no members, so there is no "
                                                      '"x"'))],
-    Case("compare s.json m.csv --estimate spin_rad_s --write-scenario new.json --set /body/mass_kg/x=1",
-         "/body/mass_kg/x: does not lead to a value in the scenario's text that can be changed", status=2,
-         files={"m.csv": "t_s,tilt_deg,tilt_se_deg\n0,20,0.1\n"}),
 
     # files
     Case("check /dev/null", "/dev/null: error: is not a regular file; give a file, or '-' and redirect standard input",
@@ -168,4 +167,26 @@ CASES = [
     refused('/numerics/relative_tolerance: "gauss" finds its step from it where no step_s is given; give one of the two',
             {"/numerics": {"method": "gauss", "relative_tolerance": 1e-12, "step_s": 0.001}},
             {"/numerics/relative_tolerance": None}),
+    refused("/headline/quantity: there is no threshold to pass; give /report/threshold_rad",
+            {"/headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": "theory"}},
+            {"/report": {"threshold_rad": 1e-4}}),
+    refused("/headline/at_s: belongs to a column of trajectory.csv; a figure of summary.json has no time",
+            {"/headline/quantity": "drift.axis_max_rad", "/headline/at_s": 60}, {"/headline/at_s": None}),
+    Case("check s.json", "/headline/at_s: is not the time of a row, which is a multiple of output_step_s within the duration: the "
+         "figure cannot be checked", set={"/headline/at_s": 30.05}, unless={"/headline/at_s": 30.1}),
+    refused("/effects/polar_motion: is looked up by date; give /motion/start_utc, or the values themselves",
+            {"/effects/polar_motion": True}, {"/motion/start_utc": "2026-01-01T00:00:00Z"}),
+    refused('/motion/start_utc: is "2026-02-29T00:00:00Z"; must be an instant of UTC, YYYY-MM-DDThh:mm:ssZ',
+            {"/motion/start_utc": "2026-02-29T00:00:00Z"}, {"/motion/start_utc": "2028-02-29T00:00:00Z"}),
+    refused("/body/solids/0/inner_radius_m: 0.02 is not smaller than radius_m, 0.02; the inner radius must be below the outer one",
+            solid(shape="ring", radius_m=0.02, inner_radius_m=0.02, length_m=0.01, mass_kg=0.1, at_m=0.03),
+            {"/body/solids/0/inner_radius_m": 0.0199}),
+    refused("/platform/file: names no file; must be the path of a CSV file", {"/platform": {"motion": "table", "file": ""}},
+            {"/platform": None}),
+    refused(f"/platform/file_sha256: is not that of angles.csv, {hashlib.sha256(TABLE.encode()).hexdigest()}; use the file that was "
+            "meant, or leave this key out",
+            {"/platform": {"motion": "table", "file": "angles.csv", "file_sha256": "0" * 64}, "/motion/duration_s": 1},
+            {"/platform/file_sha256": hashlib.sha256(TABLE.encode()).hexdigest()}, files={"angles.csv": TABLE}),
+    platform(RAMP.replace("0,0", "0.1,0"), "angles.csv:2: the table begins at 0.1 s; it must begin at 0 s, the release, or before",
+             RAMP.replace("0,0", "-0.1,0")),
 ]

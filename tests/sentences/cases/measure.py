@@ -237,6 +237,11 @@ CASES = [
     planned("--measure tilt_deg --sigma 1 --every 1e-4 --until 2e-3 --estimate tilt_deg", "tilt_deg would be known to ± ",
             scenario="toy-top", set=RIM),
 
+    planned("--measure tilt_deg --sigma 1 --every 0.5 --until 2", "To change first: take 2 times as many rows, one every 0.25 s: the "
+            "standard error of omega_sin_latitude_rad_s would be ", scenario="steady-precession-slow"),
+    planned("--estimate latitude_deg", "None of the changes considered makes its standard error smaller by as much as a twentieth.",
+            set={"/uncertainty": {"latitude_deg": 1e-3}}, unless={"/uncertainty/latitude_deg": 1}),
+
     # the picture of a plan
     planned("--svg p.svg", ["What a measurement would show", "free-gyro: standard error of omega_sin_latitude_rad_s",
                             "Changed by a factor of", "measured longer", "more rows", "smaller standard errors",
@@ -258,6 +263,7 @@ CASES = [
             "--sigma 0,1: is not a number; give a standard error in the quantity's unit, e.g. 0.01", status=2),
     planned("--measure azimuth_deg --sigma 1 --measure azimuth_rad --sigma 1 --every 1",
             "--measure azimuth_rad: is measured already, as azimuth_deg; keep one", status=2),
+    planned("--svg s.json", "s.json is one of the inputs", status=2),
     planned("--svg x --write-data ./x", "--svg and --write-data name the same file; give two", status=2),
     planned("", "/effects: the choice of effects is left to the program; to plan a measurement, name them", status=2,
             set={"/effects": "auto", "/accuracy/drift_rad": 1e-6}, unless={"/effects": {"coriolis": True}}),
