@@ -56,6 +56,7 @@ class Checker {
     if (findings_.full()) return findings_.add(node.key_place, "", "");
     UnknownKey unknown = input::unknown_key(table_, node.key, pattern);
     if (unknown.meant) findings_.expect(parent_pointer + "/" + std::string(*unknown.meant));
+    if (unknown.elsewhere) findings_.expect(std::string(*unknown.elsewhere));
     findings_.add(node.key_place, pointer, std::move(unknown.message));
   }
 

@@ -21,6 +21,15 @@ std::vector<std::string_view> FieldTable::keys_below(std::string_view pattern) c
   return keys;
 }
 
+const Wish* FieldTable::wish(std::string_view lower_case_key) const {
+  const std::string key = fmt::format("_{}_", lower_case_key);
+  for (const Wish& wish : wishes)
+    for (const std::string_view word : split_words(wish.words))
+      if (key.find(fmt::format("_{}_", word)) != std::string::npos || key.find(fmt::format("_{}s_", word)) != std::string::npos)
+        return &wish;
+  return nullptr;
+}
+
 std::vector<std::string_view> split_words(std::string_view words) {
   std::vector<std::string_view> list;
   while (!words.empty()) {

@@ -54,16 +54,25 @@ struct Field {
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
 };
 
+/// What users look for and a kind of file does not have: the answer to an unknown key that has one of the words.
+struct Wish {
+  std::string_view words;     ///< separated by '|'; one of several parts, "time_offset", must be in the key as a whole
+  std::string_view sentence;  ///< what there is not, and what to use instead
+};
+
 /// The fields of one kind of file.
 struct FieldTable {
   std::string_view name;  ///< name of the format: "study" in earthtop-study-1.json
   std::string_view noun;  ///< what a message calls such a file: "mapping file"
   std::span<const Field> fields;
+  std::span<const Wish> wishes = {};
 
   /// Returns the field with this pointer pattern; null if there is none.
   const Field* find(std::string_view pattern) const;
   /// Returns the keys of an object, in the table's order. @param pattern  pattern of the object, empty for the whole file
   std::vector<std::string_view> keys_below(std::string_view pattern) const;
+  /// Returns the wish that a key in lower case expresses: the word, or its plural, is one of the key's. Null if there is none.
+  const Wish* wish(std::string_view lower_case_key) const;
 };
 
 std::vector<std::string_view> split_words(std::string_view words);

@@ -85,9 +85,15 @@ constexpr Symbol kSymbols[] = {
     {"dyn", 1e-5, kForce},
 };
 
-/// Abbreviations of stems, and the stems.
+/// Abbreviations and other names of stems, and the stems. An altitude is no misspelt latitude.
 constexpr std::array<std::string_view, 2> kAbbreviations[] = {
-    {"lat", "latitude"}, {"lon", "longitude"}, {"long", "longitude"}, {"lng", "longitude"}, {"com", "center_of_mass"}};
+    {"lat", "latitude"}, {"lon", "longitude"},      {"long", "longitude"},   {"lng", "longitude"},
+    {"alt", "height"},   {"altitude", "height"}, {"elevation", "height"}, {"com", "center_of_mass"}};
+
+/// Units as people speak them, which keys do not have.
+constexpr std::string_view kSpokenUnits[] = {
+    "degree", "degrees", "radian", "radians", "gram", "grams", "kilogram", "kilograms", "second", "seconds",     "minute",
+    "minutes", "hour",   "hours",  "meter",   "meters", "metre", "metres", "millimeters", "millimetres", "hertz"};
 
 constexpr std::size_t kLongestKey = 48;  // a longer key has no unit worth explaining, and a hostile one would cost time
 constexpr std::size_t kMostParts = 4;
@@ -221,7 +227,8 @@ void each_below(const FieldTable& table, std::string_view pattern, const Visit& 
 
 }  // namespace
 
-std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_view key, std::string_view pattern) {
+std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_view key, std::string_view pattern,
+                                        bool with_path) {
   if (key.size() > kLongestKey) return std::nullopt;
   const std::string lower = lower_case(key);
   const std::vector<std::string_view> keys = table.keys_below(pattern);
@@ -232,7 +239,8 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
     const std::string stem = stem_of(field);
     const auto factor = stem.empty() ? std::nullopt : factor_text(after_stem(lower, stem), field);
     if (!factor) return;
-    found.message += fmt::format("{} {}; {}", found.message.empty() ? "give" : ", or", field.key(), *factor);
+    found.message += fmt::format("{} {}; {}", found.message.empty() ? "give" : ", or", with_path ? field.pointer : field.key(),
+                                 *factor);
     if (found.meant.empty()) found.meant = field.key();
   });
   // The quantity of an object: "inertia_g_cm2" means a member of "inertia".
@@ -242,7 +250,7 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
       each_below(table, object.pointer, [&](const Field& field) {
         const auto factor = factor_text(after_stem(lower, lower_case(object.key())), field);
         if (!factor || !found.meant.empty()) return;
-        found = {fmt::format("give {}/{}; {}", object.key(), field.key(), *factor), object.key()};
+        found = {fmt::format("give {}/{}; {}", with_path ? object.pointer : object.key(), field.key(), *factor), object.key()};
       });
     });
   return found.meant.empty() ? std::nullopt : std::optional(std::move(found));
@@ -251,13 +259,27 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
 std::optional<std::string_view> abbreviated(const FieldTable& table, std::string_view key, std::string_view pattern) {
   if (key.size() > kLongestKey) return std::nullopt;
   const std::string lower = lower_case(key);
+  const std::string_view stem_given = without_unit(lower);
   std::optional<std::string_view> meant;
   for (const auto& [abbreviation, full] : kAbbreviations)
-    if (lower == abbreviation)
+    if (stem_given == abbreviation)
       each_below(table, pattern, [&, stem = full](const Field& field) {
         if (!meant && stem_of(field) == stem) meant = field.key();
       });
   return meant;
+}
+
+std::string_view without_unit(std::string_view lower) {
+  const auto names_unit = [](std::string_view word) {
+    if (std::find(std::begin(kSpokenUnits), std::end(kSpokenUnits), word) != std::end(kSpokenUnits)) return true;
+    const auto part = part_of(word);
+    return part && std::any_of(std::begin(kSymbols), std::end(kSymbols),
+                               [&](const Symbol& symbol) { return is_symbol(symbol, part->symbol); });
+  };
+  std::string_view stem = lower;
+  for (auto end = stem.rfind('_'); end != std::string_view::npos && names_unit(stem.substr(end + 1)); end = stem.rfind('_'))
+    stem = stem.substr(0, end);
+  return stem.empty() || names_unit(stem) ? lower : stem;
 }
 
 std::vector<std::string_view> keys_in_second_units(const FieldTable& table, std::string_view pattern) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <tuple>
 
 #include "input/foreign_units.hpp"
 #include "input/node.hpp"
@@ -42,14 +43,74 @@ std::string no_index(std::string_view token, std::size_t size) {
 
 /// The key that was probably meant. A quantity without unit, or with a misspelled one, means its first key; another key for the
 /// same quantity is meant by a misspelling of that key only.
-std::optional<std::string_view> meant_key(const FieldTable& table, std::string_view key, std::string_view pattern,
-                                          std::vector<std::string_view> keys) {
-  if (const auto meant = abbreviated(table, key, pattern)) return meant;
+std::optional<Suggestion> meant_key(const FieldTable& table, std::string_view key, std::string_view pattern,
+                                    std::vector<std::string_view> keys) {
+  if (const auto meant = abbreviated(table, key, pattern)) return Suggestion{*meant, Nearness::same};
   for (const std::string_view second : keys_in_second_units(table, pattern)) {
-    if (is_one_letter_off(key, second)) return second;
+    if (is_one_letter_off(key, second)) return Suggestion{second, Nearness::misspelt};
     std::erase(keys, second);
   }
-  return suggest(key, keys);
+  return nearest(key, keys);
+}
+
+/// The object's field with this key; null if there is none.
+const Field* key_of(const FieldTable& table, std::string_view key, std::string_view pattern) {
+  const bool plain = key.find('/') == std::string_view::npos && key != "*";
+  return plain ? table.find(fmt::format("{}/{}", pattern, key)) : nullptr;
+}
+
+/// An object of the file, seen from the one in which a key stands.
+struct Elsewhere {
+  std::string_view pattern;
+  bool below;      ///< whether it is a part of that object
+  bool describes;  ///< whether no result depends on it
+  std::ptrdiff_t depth;
+};
+/// The other objects of the file: first what is below the one with this pattern, last what only describes; by depth, and in the
+/// table's order.
+std::vector<Elsewhere> objects_elsewhere(const FieldTable& table, std::string_view pattern) {
+  std::vector<Elsewhere> objects;
+  if (!pattern.empty()) objects.push_back({"", false, false, 0});
+  const Field* describing = nullptr;  // the last field that only describes; its members follow it
+  for (const Field& field : table.fields) {
+    if (field.describes_only) describing = &field;
+    if (field.pointer == pattern || table.keys_below(field.pointer).empty()) continue;
+    const bool below =
+        !pattern.empty() && field.pointer.starts_with(pattern) && field.pointer.substr(pattern.size()).starts_with('/');
+    objects.push_back({field.pointer, below, describing && field.pointer.starts_with(describing->pointer),
+                       std::count(field.pointer.begin(), field.pointer.end(), '/') -
+                           std::count(field.pointer.begin(), field.pointer.end(), '*')});
+  }
+  const auto order = [](const Elsewhere& object) { return std::tuple(object.describes, !object.below, object.depth); };
+  std::stable_sort(objects.begin(), objects.end(),
+                   [&](const Elsewhere& a, const Elsewhere& b) { return order(a) < order(b); });
+  return objects;
+}
+
+/// The field of another object that has this key, or the one that it probably means; null if there is none. A key may begin with
+/// the name of its object: "platform_rate".
+const Field* meant_elsewhere(const FieldTable& table, std::string_view key, const std::vector<Elsewhere>& objects,
+                             bool describes) {
+  const Field* best = nullptr;
+  Nearness least{};
+  bool alone = true;
+  const auto take = [&](std::string_view pattern, const std::optional<Suggestion>& meant) {
+    if (!meant || (best && meant->nearness > least)) return;
+    alone = !best || meant->nearness < least;
+    if (alone) best = table.find(fmt::format("{}/{}", pattern, meant->word)), least = meant->nearness;
+  };
+  for (const Elsewhere& object : objects)
+    if (object.describes == describes)
+      if (const Field* field = key_of(table, key, object.pattern)) return field;
+  for (const Elsewhere& object : objects) {
+    if (object.describes != describes) continue;
+    const std::vector<std::string_view> keys = table.keys_below(object.pattern);
+    take(object.pattern, meant_key(table, key, object.pattern, keys));
+    const std::string name = lower_case(object.pattern.substr(object.pattern.rfind('/') + 1)) + "_";
+    if (name.size() > 1 && lower_case(key).starts_with(name))
+      take(object.pattern, meant_key(table, key.substr(name.size()), object.pattern, keys));
+  }
+  return best && (alone || least != Nearness::incomplete) ? best : nullptr;
 }
 
 }  // namespace
@@ -80,19 +141,36 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
 }
 
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern) {
-  if (auto foreign = foreign_unit(table, key, pattern)) return {std::move(foreign->message), foreign->meant};
+  const Wish* wish = table.wish(lower_case(key));
+  if (!wish)
+    if (auto foreign = foreign_unit(table, key, pattern)) return {std::move(foreign->message), foreign->meant, std::nullopt};
   const std::vector<std::string_view> keys = table.keys_below(pattern);
   const Field* object = table.find(pattern);
-  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), meant_key(table, key, pattern, keys)};
+  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), std::nullopt, std::nullopt};
   unknown.message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
-  if (unknown.meant) {
+  if (wish) {
+    unknown.message += fmt::format("; {}", wish->sentence);
+    return unknown;
+  }
+  const std::vector<Elsewhere> objects = objects_elsewhere(table, pattern);
+  const bool is_below = std::any_of(objects.begin(), objects.end(), [&](const Elsewhere& object) {
+    return object.below && key_of(table, key, object.pattern) != nullptr;
+  });
+  if (const auto meant = meant_key(table, key, pattern, keys); meant && (meant->nearness != Nearness::incomplete || !is_below)) {
+    unknown.meant = meant->word;
     unknown.message += fmt::format("; did you mean \"{}\"", *unknown.meant);
     return unknown;
   }
-  for (const Field& field : table.fields) {  // the right key in the wrong place
-    if (field.key() != key || field.pointer.find('*') != std::string_view::npos) continue;
-    unknown.message += fmt::format("; did you mean \"{}\"", field.pointer);
-    break;
+  for (const Elsewhere& object : objects)
+    if (const auto foreign = foreign_unit(table, key, object.pattern, true)) {
+      unknown.message += "; " + foreign->message;
+      return unknown;
+    }
+  const Field* meant = meant_elsewhere(table, key, objects, false);
+  if (!meant) meant = meant_elsewhere(table, key, objects, true);
+  if (meant) {
+    unknown.elsewhere = meant->pointer;
+    unknown.message += fmt::format("; did you mean \"{}\"", meant->pointer);
   }
   return unknown;
 }

@@ -22,9 +22,11 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
 /// The answer to a key that an object does not have: which keys are allowed there, and which one was probably meant.
 struct UnknownKey {
   std::string message;
-  std::optional<std::string_view> meant;  ///< a key of the same object
+  std::optional<std::string_view> meant;      ///< a key of the same object
+  std::optional<std::string_view> elsewhere;  ///< or the pointer pattern of one in another object
 };
-/// Finds the allowed keys and the probable one for an unknown key. @param pattern  pattern of the object
+/// Finds the allowed keys and the probable one for an unknown key: a wish that cannot be met; a key of the object; else one of the
+/// whole file. @param pattern  pattern of the object
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern);
 
 /// The field or number that a pointer leads to in files of the table's kind, independent of a file's other keys.

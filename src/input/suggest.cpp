@@ -5,6 +5,9 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
+
+#include "input/foreign_units.hpp"
 
 namespace earthtop::input {
 namespace {
@@ -26,37 +29,100 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return d[a.size()][b.size()];
 }
 
-/// Returns the candidate whose beginning, up to a '_', is nearest to the word: for a misspelled quantity without its unit.
-std::optional<std::string_view> with_misspelled_prefix(const std::string& word,
-                                                       const std::vector<std::string_view>& candidates) {
-  std::optional<std::string_view> best;
-  std::size_t least = 1 + word.size() / 4;
-  for (const std::string_view candidate : candidates) {
-    if (candidate.size() > kLongestWord) continue;
-    for (auto end = candidate.find('_'); end != std::string_view::npos; end = candidate.find('_', end + 1)) {
-      const std::size_t distance = edit_distance(word, lower_case(candidate.substr(0, end)));
-      if (distance < least || (best && distance == least && candidate.size() < best->size()))
-        least = distance, best = candidate;
-    }
+using Words = std::vector<std::string_view>;
+
+Words words_of(std::string_view name) {
+  Words words;
+  while (!name.empty()) {
+    const std::size_t end = std::min(name.find('_'), name.size());
+    if (end > 0) words.push_back(name.substr(0, end));
+    name.remove_prefix(std::min(end + 1, name.size()));
   }
-  return best;
+  return words;
 }
 
-/// Returns the shortest candidate that begins with the prefix.
-std::optional<std::string_view> with_prefix(const std::string& prefix, const std::vector<std::string_view>& candidates) {
-  std::optional<std::string_view> best;
-  for (const std::string_view candidate : candidates)
-    if (lower_case(candidate).starts_with(prefix) && (!best || candidate.size() < best->size())) best = candidate;
-  return best;
+/// A name in lower case, and its words without those of its unit.
+struct Spelling {
+  explicit Spelling(std::string_view name) : whole(lower_case(name)), words(words_of(without_unit(whole))) {}
+  Spelling(const Spelling&) = delete;
+  Spelling& operator=(const Spelling&) = delete;
+
+  std::string whole;
+  Words words;  // parts of `whole`
+};
+
+std::string joined(std::string_view name) {
+  std::string letters(name);
+  std::erase(letters, '_');
+  return letters;
+}
+std::string joined(const Words& words) {
+  std::string letters;
+  for (const std::string_view word : words) letters += word;
+  return letters;
 }
 
-/// Returns the shortest candidate with the word between underscores or at its end: "tolerance" in "relative_tolerance".
-std::optional<std::string_view> with_part(const std::string& word, const std::vector<std::string_view>& candidates) {
-  std::optional<std::string_view> best;
-  for (const std::string_view candidate : candidates)
-    if ((lower_case(candidate) + "_").find("_" + word + "_") != std::string::npos && (!best || candidate.size() < best->size()))
-      best = candidate;
-  return best;
+/// The most errors in a word of this size: a short one with two is another word.
+std::size_t most_errors(std::size_t size) { return size < 3 ? 0 : size < 6 ? 1 : 2; }
+
+/// The number of errors if one word is a misspelling of the other; empty if it is another word.
+std::optional<std::size_t> misspelling(std::string_view given, std::string_view word) {
+  const std::size_t errors = edit_distance(given, word);
+  return errors <= most_errors(std::min(given.size(), word.size())) ? std::optional(errors) : std::nullopt;
+}
+
+/// The errors in all words, if each is a misspelling of its counterpart.
+std::optional<std::size_t> misspelling(const Words& given, const Words& words) {
+  if (given.size() != words.size()) return std::nullopt;
+  std::size_t errors = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto errors_here = misspelling(given[i], words[i]);
+    if (!errors_here) return std::nullopt;
+    errors += *errors_here;
+  }
+  return errors;
+}
+
+/// Whether names that are divided into words in another way have the same letters but for one: "spinrpm", "tilt_azimuthdeg".
+bool is_divided_otherwise(const std::string& given, const std::string& word) {
+  constexpr std::size_t kShort = 5;  // a name of fewer letters with an error is another one
+  if (given == word) return true;
+  return std::min(given.size(), word.size()) >= kShort && edit_distance(given, word) <= 1;
+}
+
+/// Whether the name is that of the candidate with a short unknown word in the place of its unit: "spin_foo" for "spin_rad_s".
+bool has_unknown_unit(const Spelling& given, const Spelling& candidate) {
+  constexpr std::size_t kLongestUnit = 3;
+  const std::size_t size = candidate.words.size();
+  return given.words.size() == size + 1 && given.words.back().size() <= kLongestUnit &&
+         given.whole.ends_with(given.words.back()) && candidate.whole.size() > joined(candidate.words).size() + size - 1 &&
+         std::equal(candidate.words.begin(), candidate.words.end(), given.words.begin());
+}
+
+/// Whether the given words are among the candidate's, in their order.
+bool is_part(const Words& given, const Words& words) {
+  std::size_t found = 0;
+  for (const std::string_view word : words)
+    if (found < given.size() && misspelling(given[found], word)) ++found;
+  return !given.empty() && found == given.size();
+}
+
+/// How near a candidate is; empty if it means something else. The smaller pair is the nearer one.
+using Rank = std::pair<Nearness, std::size_t>;
+std::optional<Rank> rank_of(const Spelling& given, const Spelling& candidate) {
+  if (given.words.empty() || candidate.words.empty()) return std::nullopt;
+  const std::size_t apart = edit_distance(given.whole, candidate.whole);
+  if (given.words == candidate.words) return Rank{Nearness::same, apart};
+  if (misspelling(given.words, candidate.words)) return Rank{Nearness::misspelt, apart};
+  if (has_unknown_unit(given, candidate)) return Rank{Nearness::misspelt, apart};
+  if (given.words.size() != candidate.words.size() || given.words.size() == 1)
+    if (is_divided_otherwise(joined(given.whole), joined(candidate.whole)) ||
+        is_divided_otherwise(joined(given.words), joined(candidate.words)))
+      return Rank{Nearness::misspelt, apart};
+  if (!is_part(given.words, candidate.words)) return std::nullopt;
+  const bool begins = misspelling(given.words, {candidate.words.begin(), candidate.words.begin() +
+                                                    static_cast<std::ptrdiff_t>(given.words.size())}).has_value();
+  return Rank{Nearness::incomplete, begins ? 0 : 1};
 }
 
 }  // namespace
@@ -74,24 +140,26 @@ bool is_one_letter_off(std::string_view given, std::string_view word) {
   return edit_distance(lower_case(given), lower_case(word)) <= 1;
 }
 
-std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates) {
+std::optional<Suggestion> nearest(std::string_view given, const std::vector<std::string_view>& candidates) {
   if (given.empty() || given.size() > kLongestWord) return std::nullopt;
-  const std::string word = lower_case(given);
-  std::optional<std::string_view> nearest;
-  std::size_t least = 2 + word.size() / 4;  // limit of the errors: one letter in short words, a quarter of long ones
+  const Spelling spelling(given);
+  std::optional<Suggestion> best;
+  std::optional<Rank> least;
+  bool alone = true;  // whether no other candidate is as near
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > kLongestWord) continue;
-    const std::size_t distance = edit_distance(word, lower_case(candidate));
-    if (distance < least) least = distance, nearest = candidate;
+    const auto rank = rank_of(spelling, Spelling(candidate));
+    if (!rank || (least && *rank > *least)) continue;
+    alone = !least || *rank < *least;
+    if (alone) least = rank, best = {candidate, rank->first};
   }
-  if (nearest && least <= 1) return nearest;
-  if (const auto match = with_prefix(word + "_", candidates)) return match;
-  if (nearest && least <= 2) return nearest;
-  if (const auto unit = word.rfind('_'); unit != std::string::npos && unit > 1)
-    if (const auto match = with_prefix(word.substr(0, unit + 1), candidates)) return match;
-  if (nearest) return nearest;
-  if (const auto match = with_misspelled_prefix(word, candidates)) return match;
-  return with_part(word, candidates);
+  if (best && best->nearness == Nearness::incomplete && !alone) return std::nullopt;
+  return best;
+}
+
+std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates) {
+  const auto found = nearest(given, candidates);
+  return found ? std::optional(found->word) : std::nullopt;
 }
 
 }  // namespace earthtop::input

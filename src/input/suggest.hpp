@@ -9,8 +9,23 @@
 
 namespace earthtop::input {
 
-/// Returns the best candidate: the same letters in another case, the same quantity with its unit missing ("mass" for
-/// "mass_kg") or in another unit ("mass_grams"), or a word that differs by a few letters. Empty if no candidate is near.
+/// How near a suggestion is. A name consists of words, joined by '_', of which the last ones may spell a unit.
+enum class Nearness {
+  same,       ///< every word is the same, but for case and unit: "Mass" for "mass_kg", "mass_grams", too
+  misspelt,   ///< every word is a misspelling of its counterpart, or only the joints differ: "tip_raduis_m", "centerofmass"
+  incomplete  ///< words are missing: "tolerance" for "relative_tolerance"
+};
+
+struct Suggestion {
+  std::string_view word;
+  Nearness nearness;
+};
+
+/// Returns the nearest candidate; empty if none is near, or if several are incomplete in the same way. A word that is no
+/// misspelling of the candidate's means something else: "rim_radius_m" is not "tip_radius_m", nor "tip_mass_kg".
+std::optional<Suggestion> nearest(std::string_view given, const std::vector<std::string_view>& candidates);
+
+/// The same without its nearness.
 std::optional<std::string_view> suggest(std::string_view given, const std::vector<std::string_view>& candidates);
 
 /// Returns a word in lower case, with '_' for '-': words that differ in these only are meant to be the same.

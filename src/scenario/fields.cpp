@@ -8,6 +8,7 @@
 #include "earthtop/integrate/method.hpp"
 #include "earthtop/scenario/inputs.hpp"
 #include "scenario/rules.hpp"
+#include "scenario/wishes.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -271,7 +272,7 @@ constexpr auto kFields = [] {
   return all;
 }();
 
-constexpr FieldTable kTable = {"scenario", "scenario", kFields};
+constexpr FieldTable kTable = {"scenario", "scenario", kFields, kWishes};
 
 }  // namespace
 
