@@ -22,6 +22,19 @@ Vec3<double> seen_from(const FollowedStep& step, const Vec3<double>& u_L) {
   return transposed_times(rotation_matrix(step.q_LB), u_L);
 }
 
+/// The size of a vector product of factors of this size; 0 where they are parallel to round-off.
+double size_of_product(const Vec3<double>& product, double of_factors) {
+  constexpr double kRoundOff = 8 * real::epsilon<double>();
+  const double size = norm(product);
+  return size <= kRoundOff * of_factors ? 0 : size;
+}
+
+/// The Coriolis torque (N m) of a rate W in laboratory axes.
+double coriolis_size(const FollowedStep& step, const Vec3<double>& W_L, const Mat3<double>& S_BP_B) {
+  const Mat3<double> moment = velocity_moment(S_BP_B, step.w_LB_B);
+  return size_of_product(coriolis_torque(seen_from(step, W_L), moment), norm(W_L) * moment.norm());
+}
+
 UtcInstant start_of(const Scene& scene) {
   return *parse_utc(scene.scenario().start_utc ? std::string_view(*scene.scenario().start_utc) : kWithoutDate);
 }
@@ -38,7 +51,7 @@ Candidate coriolis(const Scene& scene) {
   c.input.coriolis = 1;
   c.torque = [scene](const FollowedStep& s) {
     const Model<double>& m = scene.problem<double>().model;
-    return norm(coriolis_torque(seen_from(s, m.W_IL_L), velocity_moment(m.S_BP_B, s.w_LB_B)));
+    return coriolis_size(s, m.W_IL_L, m.S_BP_B);
   };
   return c;
 }
@@ -50,7 +63,9 @@ Candidate centrifugal(const Scene& scene) {
                  : "switched off";
   c.input.centrifugal = 1;
   c.torque = [scene](const FollowedStep& s) {
-    return norm(centrifugal_torque(seen_from(s, scene.problem<double>().model.W_IL_L), scene.problem<double>().model.S_BP_B));
+    const Model<double>& m = scene.problem<double>().model;
+    return size_of_product(centrifugal_torque(seen_from(s, m.W_IL_L), m.S_BP_B),
+                           norm(m.W_IL_L) * norm(m.W_IL_L) * m.S_BP_B.norm());
   };
   return c;
 }
@@ -74,9 +89,7 @@ Candidate earth_rate_change(const Vec3<double>& share_L, const Scene& scene) {
   c.size = size;
   c.input.W_IL_L_scaled = rate_scaled * direction;
   const Vec3<double> change_L = m.epsilon * rate_scaled * direction;
-  c.torque = [S_BP_B = m.S_BP_B, change_L](const FollowedStep& s) {
-    return norm(coriolis_torque(seen_from(s, change_L), velocity_moment(S_BP_B, s.w_LB_B)));
-  };
+  c.torque = [S_BP_B = m.S_BP_B, change_L](const FollowedStep& s) { return coriolis_size(s, change_L, S_BP_B); };
   return c;
 }
 

@@ -10,6 +10,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/node.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -21,7 +22,8 @@ namespace {
 /// Refuses a row that is not later than the row before: rows are paired in the order of their times.
 void require_later(const CsvReader& reader, double t_s, double& last_s) {
   if (t_s <= last_s)
-    refuse_at(reader, fmt::format("the time {} s is not later than that of the row before, {} s", t_s, last_s));
+    refuse_at(reader,
+              fmt::format("the time {} is not later than that of the row before, {}", time_text(t_s), time_text(last_s)));
   if (std::isfinite(t_s)) last_s = t_s;
 }
 

@@ -13,6 +13,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/real.hpp"
 #include "input/node.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -56,7 +57,7 @@ class CurveBuilder {
   std::size_t rows_a_span_ = 1, in_span_ = 0;
 };
 
-std::string at_time(double t_s) { return fmt::format("t = {:.10g} s", t_s); }
+std::string at_time(double t_s) { return "t = " + time_text(t_s); }
 
 /// Judges one measure, row after row.
 class Judge {
@@ -336,9 +337,8 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
       if (context_.same_scenario) {
         if (elsewhere++ == 0)
           result_.findings.push_back(
-              {"other times",
-               fmt::format("t = {} s is not a time of the reference, though both are results of the same scenario",
-                           paired.candidate->t_s)});
+              {"other times", at_time(paired.candidate->t_s) +
+                                  " is not a time of the reference, though both are results of the same scenario"});
       } else if (!interpolates) {
         return false;
       } else {
@@ -352,14 +352,14 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   if (missing > 0 && !options_.may_lack_rows)
     result_.findings.push_back(
         {"missing rows", fmt::format("{} of the reference's {} rows are missing in the new result, the first "
-                                     "one at t = {} s",
-                                     missing, known.rows, interpolated > 0 ? counts.first_outside_s : counts.first_missing_s)});
+                                     "one at {}",
+                                     missing, known.rows, at_time(interpolated > 0 ? counts.first_outside_s : counts.first_missing_s))});
   else if (missing > 0)
     result_.notes.push_back(
         fmt::format("{} of the reference's {} rows are missing in the new result, which was allowed", missing, known.rows));
   if (counts.beyond > 0)
-    result_.notes.push_back(fmt::format("{} new rows lie outside the reference's times, {} to {} s: not compared",
-                                        counts.beyond, known.first_s, known.last_s));
+    result_.notes.push_back(fmt::format("{} new rows lie outside the reference's times, {} to {}: not compared", counts.beyond,
+                                        time_text(known.first_s), time_text(known.last_s)));
   if (counts.beyond > 0 && context_.same_scenario)
     result_.findings.push_back({"extra rows", "the new result has rows that the reference of the same scenario lacks"});
   if (interpolated > 0)
@@ -372,8 +372,8 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
     if (untrusted_[i] > 0)
       result_.notes.push_back(fmt::format("{} rows {} were not compared, since a verdict does not trust them", untrusted_[i],
                                           std::isfinite(doubt.until_s)
-                                              ? fmt::format("between t = {} s and t = {} s", doubt.from_s, doubt.until_s)
-                                              : fmt::format("after t = {} s", doubt.from_s)));
+                                              ? fmt::format("between {} and {}", at_time(doubt.from_s), at_time(doubt.until_s))
+                                              : fmt::format("after {}", at_time(doubt.from_s))));
   }
   if (other_signs_ > 0)
     result_.notes.push_back(fmt::format("{} quaternions have the opposite sign, which is the same attitude", other_signs_));
@@ -393,10 +393,9 @@ void require_stated(const Comparand& comparand, const Table& table, const Counte
   if (rows.count() == 0) refuse("has no rows; run the scenario again");
   if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows.count()) return;
   const auto& gap = rows.gap_after_s();
-  refuse(fmt::format(
-      "has {} rows where its summary states {}{}: truncated or changed; run the scenario again", rows.count(),
-      *comparand.stated_rows,
-      gap ? fmt::format(", and a gap after t = {:.10g} s", *gap) : fmt::format(", the last at t = {:.10g} s", rows.last_s())));
+  refuse(fmt::format("has {} rows where its summary states {}{}: truncated or changed; run the scenario again", rows.count(),
+                     *comparand.stated_rows,
+                     gap ? ", and a gap after " + at_time(*gap) : ", the last at " + at_time(rows.last_s())));
 }
 
 RowsComparison compare_tables(const Comparand& reference, const Comparand& candidate, const Table& table,

@@ -87,13 +87,13 @@ constexpr Symbol kSymbols[] = {
 
 /// Abbreviations and other names of stems, and the stems. An altitude is no misspelt latitude.
 constexpr std::array<std::string_view, 2> kAbbreviations[] = {
-    {"lat", "latitude"}, {"lon", "longitude"},      {"long", "longitude"},   {"lng", "longitude"},
+    {"lat", "latitude"}, {"lon", "longitude"},   {"long", "longitude"},   {"lng", "longitude"},
     {"alt", "height"},   {"altitude", "height"}, {"elevation", "height"}, {"com", "center_of_mass"}};
 
 /// Units as people speak them, which keys do not have.
 constexpr std::string_view kSpokenUnits[] = {
-    "degree", "degrees", "radian", "radians", "gram", "grams", "kilogram", "kilograms", "second", "seconds",     "minute",
-    "minutes", "hour",   "hours",  "meter",   "meters", "metre", "metres", "millimeters", "millimetres", "hertz"};
+    "degree",  "degrees", "radian", "radians", "gram",   "grams", "kilogram", "kilograms",   "second",      "seconds", "minute",
+    "minutes", "hour",    "hours",  "meter",   "meters", "metre", "metres",   "millimeters", "millimetres", "hertz"};
 
 constexpr std::size_t kLongestKey = 48;  // a longer key has no unit worth explaining, and a hostile one would cost time
 constexpr std::size_t kMostParts = 4;
@@ -239,8 +239,8 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
     const std::string stem = stem_of(field);
     const auto factor = stem.empty() ? std::nullopt : factor_text(after_stem(lower, stem), field);
     if (!factor) return;
-    found.message += fmt::format("{} {}; {}", found.message.empty() ? "give" : ", or", with_path ? field.pointer : field.key(),
-                                 *factor);
+    found.message +=
+        fmt::format("{} {}; {}", found.message.empty() ? "give" : ", or", with_path ? field.pointer : field.key(), *factor);
     if (found.meant.empty()) found.meant = field.key();
   });
   // The quantity of an object: "inertia_g_cm2" means a member of "inertia".

@@ -82,8 +82,7 @@ std::vector<Elsewhere> objects_elsewhere(const FieldTable& table, std::string_vi
                            std::count(field.pointer.begin(), field.pointer.end(), '*')});
   }
   const auto order = [](const Elsewhere& object) { return std::tuple(object.describes, !object.below, object.depth); };
-  std::stable_sort(objects.begin(), objects.end(),
-                   [&](const Elsewhere& a, const Elsewhere& b) { return order(a) < order(b); });
+  std::stable_sort(objects.begin(), objects.end(), [&](const Elsewhere& a, const Elsewhere& b) { return order(a) < order(b); });
   return objects;
 }
 
@@ -111,6 +110,31 @@ const Field* meant_elsewhere(const FieldTable& table, std::string_view key, cons
       take(object.pattern, meant_key(table, key.substr(name.size()), object.pattern, keys));
   }
   return best && (alone || least != Nearness::incomplete) ? best : nullptr;
+}
+
+/// Finds the key that is probably meant: of the object, or else of the whole file.
+void advise(UnknownKey& unknown, const FieldTable& table, std::string_view key, std::string_view pattern,
+            const std::vector<std::string_view>& keys) {
+  const std::vector<Elsewhere> objects = objects_elsewhere(table, pattern);
+  const bool is_below = std::any_of(objects.begin(), objects.end(), [&](const Elsewhere& other) {
+    return other.below && key_of(table, key, other.pattern) != nullptr;
+  });
+  const auto here = meant_key(table, key, pattern, keys);
+  if (here && (here->nearness != Nearness::incomplete || !is_below)) {
+    unknown.meant = here->word;
+    unknown.advice = fmt::format("did you mean \"{}\"", *unknown.meant);
+    return;
+  }
+  for (const Elsewhere& other : objects)
+    if (auto foreign = foreign_unit(table, key, other.pattern, true)) {
+      unknown.advice = std::move(foreign->message);
+      return;
+    }
+  const Field* there = meant_elsewhere(table, key, objects, false);
+  if (!there) there = meant_elsewhere(table, key, objects, true);
+  if (!there) return;
+  unknown.elsewhere = there->pointer;
+  unknown.advice = fmt::format("did you mean \"{}\"", there->pointer);
 }
 
 }  // namespace
@@ -141,37 +165,21 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
 }
 
 UnknownKey unknown_key(const FieldTable& table, std::string_view key, std::string_view pattern) {
+  UnknownKey unknown;
   const Wish* wish = table.wish(lower_case(key));
-  if (!wish)
-    if (auto foreign = foreign_unit(table, key, pattern)) return {std::move(foreign->message), foreign->meant, std::nullopt};
+  if (auto foreign = wish ? std::nullopt : foreign_unit(table, key, pattern)) {
+    unknown.message = unknown.advice = std::move(foreign->message);
+    unknown.meant = foreign->meant;
+    return unknown;
+  }
   const std::vector<std::string_view> keys = table.keys_below(pattern);
   const Field* object = table.find(pattern);
-  UnknownKey unknown{std::string(object ? object->unknown : Field{}.unknown), std::nullopt, std::nullopt};
-  unknown.message += fmt::format("; allowed here: {}", fmt::join(keys, ", "));
-  if (wish) {
-    unknown.message += fmt::format("; {}", wish->sentence);
-    return unknown;
-  }
-  const std::vector<Elsewhere> objects = objects_elsewhere(table, pattern);
-  const bool is_below = std::any_of(objects.begin(), objects.end(), [&](const Elsewhere& object) {
-    return object.below && key_of(table, key, object.pattern) != nullptr;
-  });
-  if (const auto meant = meant_key(table, key, pattern, keys); meant && (meant->nearness != Nearness::incomplete || !is_below)) {
-    unknown.meant = meant->word;
-    unknown.message += fmt::format("; did you mean \"{}\"", *unknown.meant);
-    return unknown;
-  }
-  for (const Elsewhere& object : objects)
-    if (const auto foreign = foreign_unit(table, key, object.pattern, true)) {
-      unknown.message += "; " + foreign->message;
-      return unknown;
-    }
-  const Field* meant = meant_elsewhere(table, key, objects, false);
-  if (!meant) meant = meant_elsewhere(table, key, objects, true);
-  if (meant) {
-    unknown.elsewhere = meant->pointer;
-    unknown.message += fmt::format("; did you mean \"{}\"", meant->pointer);
-  }
+  unknown.message = fmt::format("{}; allowed here: {}", object ? object->unknown : Field{}.unknown, fmt::join(keys, ", "));
+  if (wish)
+    unknown.advice = wish->sentence;
+  else
+    advise(unknown, table, key, pattern, keys);
+  if (!unknown.advice.empty()) unknown.message += "; " + unknown.advice;
   return unknown;
 }
 

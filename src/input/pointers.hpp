@@ -22,6 +22,7 @@ std::optional<std::size_t> array_index(std::string_view token, std::size_t size)
 /// The answer to a key that an object does not have: which keys are allowed there, and which one was probably meant.
 struct UnknownKey {
   std::string message;
+  std::string advice;                         ///< the end of the message, what to do; empty if nothing is known
   std::optional<std::string_view> meant;      ///< a key of the same object
   std::optional<std::string_view> elsewhere;  ///< or the pointer pattern of one in another object
 };

@@ -120,8 +120,9 @@ std::optional<Rank> rank_of(const Spelling& given, const Spelling& candidate) {
         is_divided_otherwise(joined(given.words), joined(candidate.words)))
       return Rank{Nearness::misspelt, apart};
   if (!is_part(given.words, candidate.words)) return std::nullopt;
-  const bool begins = misspelling(given.words, {candidate.words.begin(), candidate.words.begin() +
-                                                    static_cast<std::ptrdiff_t>(given.words.size())}).has_value();
+  const bool begins = misspelling(given.words, {candidate.words.begin(),
+                                                candidate.words.begin() + static_cast<std::ptrdiff_t>(given.words.size())})
+                          .has_value();
   return Rank{Nearness::incomplete, begins ? 0 : 1};
 }
 

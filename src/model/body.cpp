@@ -105,6 +105,16 @@ template Body<double> make_body(const BodySpec&);
 template Body<long double> make_body(const BodySpec&);
 template Body<float128> make_body(const BodySpec&);
 
+std::string missing_moments(const Mat3<double>& inertia) {
+  const double largest = inertia.diagonal().cwiseAbs().maxCoeff(), round_off = 32 * real::epsilon<double>() * largest;
+  std::string names;
+  int count = 0;
+  for (int i = 0; i < 3; ++i)
+    if (inertia(i, i) <= round_off) names += fmt::format("{}I{}", count++ > 0 ? " and " : "", i + 1);
+  if (inertia(0, 1) != 0 || inertia(0, 2) != 0 || inertia(1, 2) != 0 || count == 0) return "";
+  return fmt::format("{} {} 0", names, count > 1 ? "are" : "is");
+}
+
 std::vector<Diagnostic> body_violations(const BodySpec& spec) {
   using Matrix = Mat3<long double>;
   const auto body = make_body<long double>(spec);
@@ -117,11 +127,15 @@ std::vector<Diagnostic> body_violations(const BodySpec& spec) {
   if (!std::isfinite(largest) || !(largest > 0))
     return {{0, 0, place, "the inertia tensor is not that of a body; the moments must be positive and finite"}};
   std::vector<Diagnostic> violations;
-  if (!(smallest > 0))
+  if (!(smallest > 0)) {
+    const std::string missing = missing_moments(body.I_BP_B.cast<double>());
+    const std::string least = fmt::format("least principal moment {:.6g} kg m^2, largest {:.6g}", static_cast<double>(smallest),
+                                          static_cast<double>(largest));
     violations.push_back({0, 0, place,
-                          fmt::format("the inertia about the pivot is not positive definite (least principal moment {:.6g} "
-                                      "kg m^2, largest {:.6g}); every principal moment about the pivot must be positive",
-                                      static_cast<double>(smallest), static_cast<double>(largest))});
+                          fmt::format("the inertia about the pivot is not positive definite ({}); every principal moment "
+                                      "about the pivot must be positive",
+                                      missing.empty() ? least : missing)});
+  }
   // The triangle inequality I_i <= I_j + I_k says that the second moment about the centre of mass is not negative.
   const Matrix I_cm = body.I_BBcm_B();
   const Eigen::SelfAdjointEigenSolver<Matrix> at_cm(I_cm, Eigen::EigenvaluesOnly);

@@ -35,6 +35,15 @@ std::string other_action(const Scene& scene) {
   return "";
 }
 
+/// Whether the non-rotating prediction rests in its gimbal. The axis on the rotating Earth then swings, or rests too.
+bool rests_in_gimbal(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  if (!applied.gimbal || applied.gravity_gradient || scene.scenario().platform || scene.scenario().effects.tide) return false;
+  const Release<double>& release = scene.release<double>();
+  const Vec3<double> up_B = rotation_matrix(release.q_LB).row(2).transpose();
+  return up_B[0] * release.w_XB_B[0] + up_B[1] * release.w_XB_B[1] == 0;  // the axis is level, so that the spin turns nothing
+}
+
 /// The time within which the trend is looked for. After some hundred turns the weights of a fit have taken out each swing down to its
 /// rounding, while that of the integration makes the rate worse the longer it lasts. So later turns count only where a sum of a few
 /// precessions and multiples of the nutation is slow.
@@ -156,6 +165,11 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
 
 TrendPlan plan_trend(const Scene& scene) {
   TrendPlan plan;
+  if (rests_in_gimbal(scene)) {
+    plan.no_precession =
+        "the axis is released at rest in its gimbal: it swings to and fro, and its azimuth has no secular rate";
+    return plan;
+  }
   plan.mean_only = other_action(scene);
   if (!plan.mean_only.empty()) return plan;
   if (scene.gravity_torque_N_m() == 0) {

@@ -28,15 +28,19 @@ void check_member(const Section& solid, std::string_view key, Need need, std::st
   }
 }
 
-/// Returns whether a solid has no volume, so that its mass cannot come from a density: a disc or ring without length, or a rod
-/// without radius.
-bool is_thin(const Solid& solid) {
+/// Returns what a solid lacks to have a volume, without which its mass cannot come from a density; empty if it has one.
+std::string thinness(const Solid& solid) {
   switch (solid.shape) {
     case SolidShape::disc:
-    case SolidShape::ring: return solid.length_m == 0;
-    case SolidShape::rod: return solid.radius_m == 0;
-    default: return false;
+    case SolidShape::ring:
+      if (solid.length_m == 0) return "without length_m";
+      break;
+    case SolidShape::rod:
+      if (solid.radius_m == 0) return "without radius_m";
+      break;
+    default: break;
   }
+  return solid.inner_radius_m == solid.radius_m ? "as thin as its radii say" : "";
 }
 
 std::optional<Solid> decode_solid(const Section& section) {
@@ -57,9 +61,9 @@ std::optional<Solid> decode_solid(const Section& section) {
   check_member(section, "length_m", rule.length, *shape);
   if (!codec.complete()) return std::nullopt;
   bool complete = has_mass != has_density;
-  if (section.has("radius_m") && solid.inner_radius_m >= solid.radius_m && rule.inner_radius != Need::none) {
+  if (section.has("radius_m") && solid.inner_radius_m > solid.radius_m && rule.inner_radius != Need::none) {
     section.refuse("inner_radius_m",
-                   fmt::format("{} is not smaller than radius_m, {}; the inner radius must be below the outer one",
+                   fmt::format("{} is larger than radius_m, {}; the inner radius must not be above the outer one",
                                solid.inner_radius_m, solid.radius_m));
     complete = false;
   }
@@ -67,9 +71,8 @@ std::optional<Solid> decode_solid(const Section& section) {
     section.refuse("length_m", fmt::format("is 0; the length of a {} must be above 0 (m)", *shape));
     complete = false;
   }
-  if (has_density && !has_mass && is_thin(solid)) {
-    section.refuse_key("density_kg_m3", fmt::format("a {} {} has no volume; give mass_kg", *shape,
-                                                    solid.shape == SolidShape::rod ? "without radius_m" : "without length_m"));
+  if (const std::string thin = thinness(solid); has_density && !has_mass && !thin.empty()) {
+    section.refuse_key("density_kg_m3", fmt::format("a {} {} has no volume; give mass_kg", *shape, thin));
     complete = false;
   }
   if (rule.radius == Need::required && !section.has("radius_m")) complete = false;

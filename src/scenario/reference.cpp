@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "input/pointers.hpp"
 #include "input/schema.hpp"
 #include "scenario/document.hpp"
 #include "scenario/fields.hpp"
@@ -103,6 +104,8 @@ std::string annotated_scenario(const ScenarioSource& source) {
   scenario::lay_out(text, scenario::annotated(json_of(source.text), ""), 0);
   return text + '\n';
 }
+
+std::string advice_on_key(const std::string& name) { return input::unknown_key(scenario::fields(), name, "").advice; }
 
 std::vector<std::string> scenario_pointers() {
   std::vector<std::string> pointers;

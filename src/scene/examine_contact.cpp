@@ -126,13 +126,15 @@ bool check_moments(const Section& body, const Scene& scene) {
   const auto moments = [](const Mat3<double>& m) {
     return Eigen::SelfAdjointEigenSolver<Mat3<double>>(m, Eigen::EigenvaluesOnly).eigenvalues();
   };
-  const double smallest = moments(top.I_BBcm_B())[0], largest = moments(top.I_BP_B)[2];
+  const double largest = moments(top.I_BP_B)[2];
+  const double smallest = moments(top.I_BBcm_B())[0];
   if (smallest > 32 * real::epsilon<double>() * largest) return true;
-  body.refuse(
-      body.has("solids") ? "solids" : "inertia",
-      fmt::format("a principal moment about the centre of mass is {:.3g} kg m^2; on a table, where the body turns about it, "
-                  "all three must be above 0",
-                  std::max(0.0, smallest)));
+  const std::string missing = missing_moments(top.I_BBcm_B());
+  body.refuse(body.has("solids") ? "solids" : "inertia",
+              fmt::format("{}; on a table, where the body turns about its centre of mass, all three moments must be above 0",
+                          missing.empty() ? fmt::format("a principal moment about the centre of mass is {:.3g} kg m^2",
+                                                        std::max(0.0, smallest))
+                                          : "about the centre of mass " + missing));
   return false;
 }
 

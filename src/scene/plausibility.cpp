@@ -76,7 +76,13 @@ void warn_of_body(const Section& section, const Scene& scene, double spin_rad_s,
                                       "kg/m^3); are these millimetres, or another unit than kg m^2?",
                                       body.mass, radius, density));
   }
-  if (radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0)))  // only a pendulum, which has no spin, may be long
+  // Only a pendulum, which has no spin, may be long. Where mass and moments are in grams and millimetres too, the body looks like a
+  // large one; what tells is that a large body does not spin far out on a lever, many times faster than it would swing.
+  constexpr double kLongLever = 20, kFaster = 10;
+  const double swing = std::sqrt(scene.site().gravity_m_s2 / std::max(arm, 1e-300));  // of a point at the end of the lever
+  const bool is_small = radius < 0.05 && (arm > 10 || (arm > 1 && spin_rad_s != 0));
+  const bool spins_far_out = arm > 1 && arm > kLongLever * radius && std::abs(spin_rad_s) > kFaster * swing;
+  if (is_small || spins_far_out)
     section.warn(section.has("solids") ? "solids" : "center_of_mass_m",
                  fmt::format("the centre of mass is {:.3g} m from the pivot, {:.3g} times the radius of gyration; are these "
                              "millimetres?",

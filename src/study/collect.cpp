@@ -10,6 +10,7 @@
 #include "results/figures.hpp"
 #include "scene/examine.hpp"
 #include "study/json_text.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::study {
 std::string first_message(const ScenarioReport& report) {
@@ -64,7 +65,8 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
   const RunResult& result = *outcome.result;
   point.status = to_string(result.status);
   if (result.status != RunStatus::completed)
-    point.reason = fmt::format("{} at t = {} s of {} s", point.status, result.reached_s, result.scene.scenario().duration_s);
+    point.reason = fmt::format("{} at t = {} of {}", point.status, time_text(result.reached_s),
+                               time_text(result.scene.scenario().duration_s));
   if (point.status == "completed" && result.accuracy && !result.accuracy->reached()) {
     point.status = "accuracy_not_reached";
     point.reason = fmt::format("the drift error asked for, {} rad, was not reached: its bound is {:.2g} rad",

@@ -56,6 +56,11 @@ std::string angle_text(double rad, int digits) {
   return fmt::format("{:.{}f}{}", number, std::max(0, digits - 1 - decade_of(std::abs(number), digits)), unit.symbol);
 }
 
+std::string time_text(double t_s) {
+  constexpr int kDigits = 10;  // those of a nanosecond in a run of seconds
+  return fmt::format("{:.{}g} s", t_s, kDigits);
+}
+
 KnownNumber known_number(double value, double error, int digits) {
   constexpr int kErrorDigits = 2, kMostDigits = 16, kPlain = 7, kLarge = 15;
   if (!(error > 0)) return {fmt::format("{:.{}g}", value, digits), "0"};

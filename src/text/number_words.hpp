@@ -24,6 +24,9 @@ ReadableUnit length_unit(double size_m);
 /// only below 1e-4 microarcseconds.
 std::string angle_text(double rad, int digits = 5);
 
+/// A time as a reader would write it, without the rounding of its last digits: "32.3 s".
+std::string time_text(double t_s);
+
 /// A number that is known to within an error: to the second digit of that error, as far as a double goes.
 struct KnownNumber {
   std::string value, error;  ///< in the same unit

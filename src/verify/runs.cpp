@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "text/number_words.hpp"
+
 namespace earthtop::verify_detail {
 
 Scene Runs::scene(const Changes& changes) const {
@@ -30,7 +32,7 @@ Watch Runs::next_watch() {
 RunResult completed_run(const Scene& scene, const Watch& watch) {
   RunResult result = earthtop::run(scene, {watch, false});
   if (result.status == RunStatus::completed) return result;
-  throw NotJudged(fmt::format("the run ended at t = {} s: {}", result.reached_s, to_string(result.status)));
+  throw NotJudged(fmt::format("the run ended at t = {}: {}", time_text(result.reached_s), to_string(result.status)));
 }
 
 }  // namespace earthtop::verify_detail

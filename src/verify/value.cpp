@@ -6,6 +6,7 @@
 
 #include "drift/row_quantities.hpp"
 #include "earthtop/results/headline.hpp"
+#include "text/number_words.hpp"
 #include "verify/differences.hpp"
 #include "verify/formulas.hpp"
 #include "verify/judge.hpp"
@@ -24,7 +25,7 @@ double initial_invariant(const RunResult& result, std::string_view name) {
 
 double figure(const RunResult& result, std::string_view quantity, double t_s) {
   if (const auto found = find_figure(result, quantity, t_s)) return *found;
-  throw NotJudged(fmt::format("this run has no {} at t = {} s", quantity, t_s));
+  throw NotJudged(fmt::format("this run has no {} at t = {}", quantity, time_text(t_s)));
 }
 
 /// The rate about body axis 3 relative to inertial space in the row at time `t_s` (rad/s): of the rotating motion that relative

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <set>
 
+#include "text/number_words.hpp"
 #include "verify/judge.hpp"
 
 namespace earthtop {
@@ -71,8 +72,8 @@ double verification_work(const ScenarioSource& source, const VerificationOptions
 std::string criterion_text(const CriterionSpec& criterion) {
   std::string words(kind_of(criterion).word);
   if (!criterion.quantity.empty()) words += " " + criterion.quantity;
-  if (criterion.at_s) words += fmt::format(" at {} s", *criterion.at_s);
-  if (criterion.until_s) words += fmt::format(" until {} s", *criterion.until_s);
+  if (criterion.at_s) words += " at " + time_text(*criterion.at_s);
+  if (criterion.until_s) words += " until " + time_text(*criterion.until_s);
   if (!criterion.set.empty()) words += fmt::format(" [{}]", fmt::join(criterion.set, ", "));
   return words;
 }

@@ -181,7 +181,9 @@ TEST(Solids, ListsAddUp) {
     EXPECT_EQ(symmetry_axis(all), 2);
   });
   EXPECT_TRUE(accepted(of_solids({{SolidShape::disc, 0.05, 0, 0, 0.2, {}, 0.03}})));
-  EXPECT_TRUE(refused(of_solids({{SolidShape::rod, 0, 0, 0.1, 0.03, {}, 0.05}}), "not positive definite"));
+  EXPECT_TRUE(refused(of_solids({{SolidShape::rod, 0, 0, 0.1, 0.03, {}, 0.05}}), "not positive definite (I3 is 0)"));
+  EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {0, 1e-4, 1e-4}, InertiaAbout::pivot), "not positive definite (I1 is 0)"));
+  EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {1e-4, 0, 1e-4}, InertiaAbout::pivot), "not positive definite (I2 is 0)"));
 }
 
 TEST(BodyValidity, AcceptsEveryCloudOfParticlesInAnyAxes) {
@@ -260,7 +262,8 @@ TEST(BodyValidity, AcceptsFlatAndThinBodies) {
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 2}, {1, 1, 2}, InertiaAbout::center_of_mass)));
   EXPECT_TRUE(accepted(with_principal(1, {0, 0, 2}, {0, 3, 3}, InertiaAbout::center_of_mass)));  // a crosswise rod
   // A point mass has no inertia about the line to the pivot; neither has a rod along it.
-  EXPECT_TRUE(refused(with_principal(1, {0, 0, 2}, {0, 0, 0}, InertiaAbout::center_of_mass), "not positive definite"));
+  EXPECT_TRUE(
+      refused(with_principal(1, {0, 0, 2}, {0, 0, 0}, InertiaAbout::center_of_mass), "not positive definite (I3 is 0)"));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 2}, {3, 3, 0}, InertiaAbout::center_of_mass), "not positive definite"));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {1, 1, -1}), "positive"));
   EXPECT_TRUE(refused(with_principal(1, {0, 0, 0}, {0, 0, 0}), "positive"));

@@ -116,8 +116,12 @@ def test_what_is_refused_says_where():
         et.run(top)
     top["latitude_deg"] = 10
     assert top.check()
-    with pytest.raises(et.ScenarioError, match="did you mean 'latitude_deg'"):
+    with pytest.raises(et.ScenarioError, match='did you mean "/site/latitude_deg"'):
         top["latitud_deg"] = 3
+    with pytest.raises(et.ScenarioError, match="no rim or edge rolls on the table"):
+        top["rim_radius_m"] = 0.03
+    with pytest.raises(et.ScenarioError, match="give /body/mass_kg; 1 g = 0.001 kg"):
+        top["mass_g"] = 3
     with pytest.raises(et.ScenarioError, match="earthtop.load"):
         et.Scenario("toy-top.json")
     with pytest.raises(TypeError):

@@ -56,5 +56,16 @@ TEST(NumberWords, ANumberEndsWhereItsErrorDoes) {
   }
 }
 
+TEST(TimeText, HasNoRoundingOfItsLastDigits) {
+  EXPECT_EQ(time_text(32.300000000000004), "32.3 s");
+  EXPECT_EQ(time_text(13.264999999999999), "13.265 s");
+  EXPECT_EQ(time_text(0.1 + 0.2), "0.3 s");
+  EXPECT_EQ(time_text(60), "60 s");
+  EXPECT_EQ(time_text(0), "0 s");
+  EXPECT_EQ(time_text(1e9), "1000000000 s");
+  EXPECT_EQ(time_text(86400.125), "86400.125 s");
+  EXPECT_EQ(time_text(1e-12), "1e-12 s");
+}
+
 }  // namespace
 }  // namespace earthtop

@@ -141,5 +141,27 @@ TEST(Effects, TheLedgerNamesTheirShares) {
   EXPECT_TRUE(torques_csv(plain).find("tau_friction") == std::string::npos);
 }
 
+// A compass swings about North, and a mean over some part of a swing is no trend. One that is released with a turn has a mean rate.
+TEST(Effects, ACompassReleasedAtRestHasNoTrend) {
+  for (const double latitude_deg : {0.0, 48.0, -70.0, 90.0})
+    for (const double amplitude_deg : {10.0, 120.0})
+      for (const double damping : {0.0, 1e-5}) {
+        Scenario s = gyrocompass(latitude_deg, amplitude_deg, damping);
+        s.duration_s = 30;
+        s.output_step_s = 0.5;
+        const RunResult result = run(s);
+        ASSERT_TRUE(result.drift.secular.has_value());
+        EXPECT_FALSE(result.drift.secular->azimuth_rate_rad_s) << latitude_deg << " " << amplitude_deg;
+        EXPECT_FALSE(result.drift.secular->azimuth_oscillation_rad);
+        EXPECT_EQ(result.drift.secular->reason,
+                  "the axis is released at rest in its gimbal: it swings to and fro, and its azimuth has no secular rate");
+      }
+  Scenario turning = gyrocompass(48, 10, 0);
+  turning.duration_s = 30;
+  turning.release.precession = Precession::given;
+  turning.release.precession_rate_rad_s = 2;
+  EXPECT_TRUE(run(turning).drift.secular->azimuth_rate_rad_s.has_value());
+}
+
 }  // namespace
 }  // namespace earthtop

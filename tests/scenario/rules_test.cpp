@@ -151,6 +151,9 @@ TEST(ScenarioRules, SolidsNeedTheMembersOfTheirShape) {
            R"({"shape": "disc", "radius_m": 0.03, "length_m": 0.01, "density_kg_m3": 8000, "at_m": 0.05})",
            R"({"shape": "ring", "radius_m": 0.03, "inner_radius_m": 0.02, "mass_kg": 0.1, "at_m": 0.05})",
            R"({"shape": "sphere", "radius_m": 0.03, "inner_radius_m": 0.02, "density_kg_m3": 1000, "at_m": -0.05})",
+           R"({"shape": "ring", "radius_m": 0.03, "inner_radius_m": 0.03, "mass_kg": 0.1, "at_m": 0.05})",
+           R"({"shape": "ring", "radius_m": 0.03, "inner_radius_m": 0.03, "length_m": 0.1, "mass_kg": 0.1})",
+           R"({"shape": "sphere", "radius_m": 0.03, "inner_radius_m": 0.03, "mass_kg": 0.1, "at_m": -0.05})",
            R"({"shape": "cone", "radius_m": 0.03, "length_m": 0.02, "density_kg_m3": 1000})",
            R"({"shape": "rod", "radius_m": 0.003, "length_m": 0.02, "density_kg_m3": 1000, "at_m": 0.05})",
        })
@@ -171,8 +174,12 @@ TEST(ScenarioRules, SolidsNeedTheMembersOfTheirShape) {
   refused(R"({"shape": "cone", "radius_m": 0.1, "length_m": 0, "mass_kg": 1})", "3:48 /body/solids/0/length_m",
           "must be above 0");
   refused(R"({"shape": "ring", "radius_m": 0.1, "mass_kg": 1})", "3:1 /body/solids/0/inner_radius_m", "is missing");
-  refused(R"({"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.1, "mass_kg": 1})", "3:54 /body/solids/0/inner_radius_m",
-          "not smaller");
+  refused(R"({"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.11, "mass_kg": 1})", "3:54 /body/solids/0/inner_radius_m",
+          "0.11 is larger than radius_m, 0.1; the inner radius must not be above the outer one");
+  refused(R"({"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.1, "length_m": 0.1, "density_kg_m3": 1})",
+          "3:89 /body/solids/0/density_kg_m3", "a ring as thin as its radii say has no volume; give mass_kg");
+  refused(R"({"shape": "sphere", "radius_m": 0.1, "inner_radius_m": 0.1, "density_kg_m3": 1})",
+          "3:56 /body/solids/0/density_kg_m3", "a sphere as thin as its radii say has no volume; give mass_kg");
   refused(R"({"shape": "disc", "radius_m": 0.1, "inner_radius_m": 0.1, "mass_kg": 1})", "3:36 /body/solids/0/inner_radius_m",
           "a disc has no inner_radius_m");
   refused(R"({"shape": "sphere", "radius_m": 0.1, "length_m": 0.1, "mass_kg": 1})", "3:38 /body/solids/0/length_m",
@@ -181,7 +188,8 @@ TEST(ScenarioRules, SolidsNeedTheMembersOfTheirShape) {
   refused(R"({"radius_m": 0.1, "mass_kg": 1})", "3:1 /body/solids/0/shape", "is missing");
   refused("", "2:20 /body/solids", "an array of at least one object");
   refused("5", "3:1 /body/solids/0", "must be an object");
-  refused(R"({"shape": "rod", "length_m": 0.1, "mass_kg": 1})", "2:20 /body/solids", "not positive definite");
+  refused(R"({"shape": "rod", "length_m": 0.1, "mass_kg": 1})", "2:20 /body/solids",
+          "not positive definite (I3 is 0); every principal moment about the pivot must be positive");
   refused(R"({"shape": "sphere", "radius_m": 1000, "density_kg_m3": 1000})", "2:20 /body/solids", "the mass is");
 }
 

@@ -141,7 +141,7 @@ BEYOND_THE_SCHEMA = [
     ({"body": {**BODY, "inertia": {"principal_kg_m2": [0, 1e-4, 1e-4]}}}, "positive definite"),
     ({"body": {**BODY, "inertia": {"matrix_kg_m2": [[1e-4, 1e-6, 0], [0, 1e-4, 0], [0, 0, 1e-4]]}}}, "is not symmetric"),
     ({"body": {"solids": [{"shape": "disc", "radius_m": 0.1, "density_kg_m3": 1000}]}}, "has no volume"),
-    ({"body": {"solids": [{"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.1, "mass_kg": 1}]}}, "not smaller than radius_m"),
+    ({"body": {"solids": [{"shape": "ring", "radius_m": 0.1, "inner_radius_m": 0.2, "mass_kg": 1}]}}, "larger than radius_m"),
     ({"body": {"solids": [{"shape": "rod", "length_m": 1e-160, "mass_kg": 1e-3, "radius_m": 1e-160}]}}, "for a double"),
     ({"body": {"solids": [{"shape": "sphere", "radius_m": 1e5, "density_kg_m3": 1e5}]}}, "the mass is"),
     ({"release": {"quaternion_LB": {"w": 1, "x": 0.1, "y": 0, "z": 0}, "spin_rad_s": 1}}, "has the norm"),

@@ -70,6 +70,27 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
   expect_warning({{"/release/spin_rad_s", "200000"}}, "/body/inertia", "revolutions per minute");
   expect_no_warning(
       {{"/body", R"({"solids": [{"shape": "disc", "radius_m": 0.05, "length_m": 0.01, "density_kg_m3": 7800}]})"}});
+  // Mass, lever and moments together in grams and millimetres: a body of a reasonable density, which spins far out on its lever.
+  const auto all_wrong = [](const std::string& about) {
+    return R"({"mass_kg": 100, "center_of_mass_m": [0, 0, 30], "inertia": {"about": "center_of_mass", "principal_kg_m2": )" +
+           about + "}}";
+  };
+  expect_warning({{"/body", all_wrong("[30, 30, 40]")}}, "/body/center_of_mass_m",
+                 "the centre of mass is 30 m from the pivot, 42.4 times the radius of gyration; are these millimetres?");
+  expect_warning({{"/body", all_wrong("[30, 30, 30]")}}, "/body/center_of_mass_m", "are these millimetres?");
+  expect_warning({{"/body", all_wrong("[30, 30, 40]")},
+                  {"/release/spin_rad_s", "0"},
+                  {"/release/precession", R"("none")"},
+                  {"/release/spin_rad_s", "-50"}},
+                 "/body/center_of_mass_m", "are these millimetres?");
+  // The same body without a spin is a pendulum; so it is with the slow turn of the laboratory, and a long lever with a wide body.
+  expect_no_warning({{"/body", all_wrong("[30, 30, 40]")}, {"/release/spin_rad_s", "0"}});
+  expect_no_warning({{"/body", all_wrong("[30, 30, 40]")}, {"/release/spin_rad_s", "0.5"}});
+  expect_no_warning({{"/body", all_wrong("[300, 300, 400]")}, {"/release/spin_rad_s", "20"}});
+  // What cannot be noticed, as the manual says.
+  expect_no_warning({{"/release/tilt_deg", "0.35"}});
+  expect_no_warning({{"/release/spin_rad_s", "3000"}});
+  expect_no_warning({{"/release/spin_rpm", "40"}});
   // A point bob on a long wire, and a steel flywheel at its limit.
   expect_no_warning({{"/body", R"({"mass_kg": 28, "center_of_mass_m": [0, 0, -67],
                        "inertia": {"about": "center_of_mass", "principal_kg_m2": [0.08, 0.08, 0.08]}})"},

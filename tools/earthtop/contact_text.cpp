@@ -8,6 +8,7 @@
 
 #include "earthtop/results/compass_point.hpp"
 #include "number_text.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::tool {
 namespace {
@@ -100,7 +101,8 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
   if (!result.contact || result.contact->changes.empty()) return lines;
   const ContactReport& contact = *result.contact;
   const DriftRow* row = last_reliable_row(result);
-  lines.push_back({"Prediction", fmt::format("by t = {} s it changes, with inputs that nobody knows well, by", contact.at_s)});
+  lines.push_back(
+      {"Prediction", fmt::format("by t = {} it changes, with inputs that nobody knows well, by", time_text(contact.at_s))});
   bool of_friction = false;
   for (const PredictionChange& change : contact.changes) {
     of_friction = of_friction || change.step.ends_with("%");

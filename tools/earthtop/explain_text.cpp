@@ -5,6 +5,7 @@
 
 #include "contact_text.hpp"
 #include "earthtop/results/results.hpp"
+#include "text/number_words.hpp"
 #include "wrapped.hpp"
 
 namespace earthtop::tool {
@@ -50,8 +51,8 @@ std::string need_text(const std::optional<double>& steps, std::string_view step,
 std::string inputs_text(const ContactExplanation& explained, std::size_t width) {
   if (explained.inputs.empty()) return "How well the inputs must be known: not known\n";
   std::string text = sentence(fmt::format("How well the inputs must be known: the error of each that moves the prediction at "
-                                          "{:.6g} s as far as the Earth does",
-                                          explained.inputs_at_s),
+                                          "{} as far as the Earth does",
+                                          time_text(explained.inputs_at_s)),
                               width);
   bool of_friction = false;
   for (const ContactInputNeed& need : explained.inputs) {
@@ -78,8 +79,9 @@ std::string contact_explanation_text(const ContactExplanation& explained, const 
   if (explained.ended_at_s)
     text += sentence(fmt::format("At t = {:.6g} s {}", *explained.ended_at_s, explained.ended_by), width);
   else if (explained.followed_s < scenario.duration_s * (1 - 1e-9))
-    text += sentence(fmt::format("The motion was followed only until then; to {} s it would take longer", scenario.duration_s),
-                     width);
+    text += sentence(
+        fmt::format("The motion was followed only until then; to {} it would take longer", time_text(scenario.duration_s)),
+        width);
   return text + '\n' + forces_text(explained, width) + friction_text(explained, *scenario.contact, width) + '\n' +
          inputs_text(explained, width);
 }

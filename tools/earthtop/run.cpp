@@ -18,6 +18,7 @@
 #include "progress_line.hpp"
 #include "screen.hpp"
 #include "summary_text.hpp"
+#include "text/number_words.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -74,7 +75,8 @@ RequestedScene read_scene(const RunArguments& arguments) {
 /// Reports a run that was interrupted and leaves nothing, and whether --partial would have kept its rows.
 int report_nothing_kept(const RunResult& result, const RunArguments& arguments) {
   if (!result.solution_is_whole)
-    return interrupted(arguments, fmt::format("at t = {} s of {} s", result.reached_s, result.scene.scenario().duration_s));
+    return interrupted(
+        arguments, fmt::format("at t = {} of {}", time_text(result.reached_s), time_text(result.scene.scenario().duration_s)));
   const char* message =
       "interrupted when the motion was complete, but not the bounds on its error or its verdict; nothing was written; the same "
       "command starts again; with --partial an interrupted run keeps the rows";
@@ -165,13 +167,15 @@ int run_verb(const RunArguments& arguments) try {
   }
   if (result.status == RunStatus::completed) return kDone;
   if (result.status == RunStatus::step_limit) {
-    message(fmt::format("earthtop: error: stopped ({}) at t = {} s of {} s: {}; the rows up to it are in {}{}",
-                        to_string(result.status), result.reached_s, scenario.duration_s, why_limited(result),
-                        printable(dir.string()), stopped_beyond_estimate(result) ? "; --no-step-limit goes on" : ""));
+    message(fmt::format("earthtop: error: stopped ({}) at t = {} of {}: {}; the rows up to it are in {}{}",
+                        to_string(result.status), time_text(result.reached_s), time_text(scenario.duration_s),
+                        why_limited(result), printable(dir.string()),
+                        stopped_beyond_estimate(result) ? "; --no-step-limit goes on" : ""));
     return kNumericalFailure;
   }
-  message(fmt::format("earthtop: error: numerical failure ({}) at t = {} s of {} s; the rows up to it are in {}",
-                      to_string(result.status), result.reached_s, scenario.duration_s, printable(dir.string())));
+  message(fmt::format("earthtop: error: numerical failure ({}) at t = {} of {}; the rows up to it are in {}",
+                      to_string(result.status), time_text(result.reached_s), time_text(scenario.duration_s),
+                      printable(dir.string())));
   return kNumericalFailure;
 } catch (const Interrupted&) {
   return interrupted(arguments, "before the results were in place");

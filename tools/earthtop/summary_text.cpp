@@ -15,6 +15,7 @@
 #include "earthtop/results/top_lines.hpp"
 #include "number_text.hpp"
 #include "screen.hpp"
+#include "text/number_words.hpp"
 #include "wrapped.hpp"
 
 namespace earthtop::tool {
@@ -88,8 +89,8 @@ void write_scene(Page& page, const Scene& scene, double reached_s) {
   const double turn = std::abs(scene.rotation_rate_rad_s()) * reached_s;
   page.entry("Place", fmt::format("latitude {}°, longitude {}°, height {} m; gravity {} m/s²", site.latitude_deg,
                                   site.longitude_deg, site.height_m, site.gravity_m_s2));
-  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} s it turns by {} = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
-                                  reached_s, earth_angle(scene), turn, pictured(turn)));
+  page.entry("Earth", fmt::format("Ω = {} rad/s; in {} it turns by {} = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
+                                  time_text(reached_s), earth_angle(scene), turn, pictured(turn)));
   page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
   page.entry("", matching_rule(scene.scenario()));
 }
@@ -131,6 +132,12 @@ void write_verdict(Page& page, const RunResult& result) {
       page.entry("", page.warning(fmt::format("{} the drift is not to be trusted: {}", span_of(interval), doubt.words)));
 }
 
+/// A part of the drift; what is no larger than the bound on the whole is not known to differ from 0.
+std::string part_of_drift(double part, double bound) {
+  return std::abs(part) <= bound ? fmt::format("0 rad within {:.1e}", bound)
+                                 : fmt::format("{:+.6e} rad = {}", part, pictured(part));
+}
+
 void write_drift(Page& page, const RunResult& result) {
   if (!has_drift(result)) {
     page.heading("Drift");
@@ -145,7 +152,7 @@ void write_drift(Page& page, const RunResult& result) {
     return;
   }
   const DriftSummary drift = reliable_drift(result);
-  page.heading(fmt::format("Drift after {} s", last->t_s));
+  page.heading(fmt::format("Drift after {}", time_text(last->t_s)));
   std::string share;
   if (drift.axis_final_over_earth_angle)
     share = fmt::format(" = {:.4g} {}", *drift.axis_final_over_earth_angle, earth_angle(result.scene));
@@ -158,12 +165,12 @@ void write_drift(Page& page, const RunResult& result) {
               with_bound(result.drift.axis_max_rad, result.drift.axis_max_bound_rad, "rad"),
               pictured(result.drift.axis_max_rad), result.drift.axis_max_at_s);
   if (drift.azimuth_final_rad)
-    page.line("  azimuth    {:+.6e} rad = {} (+ is clockwise seen from above)", *drift.azimuth_final_rad,
-              pictured(*drift.azimuth_final_rad));
+    page.line("  azimuth    {} (+ is clockwise seen from above)",
+              part_of_drift(*drift.azimuth_final_rad, horizontal(*last) > 0 ? drift.axis_bound_rad / horizontal(*last) : 0));
   else
     page.line("  azimuth     none: an axis is vertical");
-  page.line("  tilt       {:+.6e} rad = {} (+ is farther from Up)", drift.tilt_final_rad, pictured(drift.tilt_final_rad));
-  page.line("  spin angle {:+.6e} rad = {}", drift.spin_final_rad, pictured(drift.spin_final_rad));
+  page.line("  tilt       {} (+ is farther from Up)", part_of_drift(drift.tilt_final_rad, drift.axis_bound_rad));
+  page.line("  spin angle {}", part_of_drift(drift.spin_final_rad, drift.attitude_bound_rad));
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad, "rad"));
   const char* label = "tip";
@@ -267,13 +274,17 @@ void write_trend(Page& page, const RunResult& result) {
     for (const TheoryReport& report : result.theory)
       if (report.name == "precession_rate_change") page.entry("", theory_line(report, -1));
     if (secular->azimuth_oscillation_rad)
-      page.entry("Swings",
-                 fmt::format("up to {:.3g} rad of azimuth to either side of the trend", *secular->azimuth_oscillation_rad));
+      page.entry("Swings", *secular->azimuth_oscillation_rad <= secular->azimuth_oscillation_bound_rad
+                               ? fmt::format("none beyond the error of {:.1e} rad", secular->azimuth_oscillation_bound_rad)
+                               : fmt::format("up to {:.3g} rad of azimuth to either side of the trend",
+                                             *secular->azimuth_oscillation_rad));
   }
   for (const TheoryReport& report : result.theory) {
     if (report.name == "precession_rate_change") continue;  // printed above, with the trend
-    page.entry("Theory", fmt::format("{}: {}; {:.6g} {} computed", spoken(report.name), theory_line(report, 1),
-                                     report.computed.value_or(0), report.unit));
+    page.entry("Theory",
+               fmt::format("{}: {}; {:.6g} {} computed", spoken(report.name), theory_line(report, 1),
+                           std::abs(report.computed.value_or(0)) <= report.computed_error.value_or(0) ? 0 : *report.computed,
+                           report.unit));
   }
   write_threshold(page, result);
   for (const InvariantReport& invariant : result.invariants) {
@@ -297,7 +308,7 @@ void write_sensitivities(Page& page, const RunResult& result) {
     page.entry("Inputs", page.warning("no sensitivities: " + report.unavailable));
     return;
   }
-  page.entry("Inputs", fmt::format("per unit of the input, the axis drift at {} s changes by", report.at_s));
+  page.entry("Inputs", fmt::format("per unit of the input, the axis drift at {} changes by", time_text(report.at_s)));
   for (const InputSensitivity& input : report.inputs) {
     if (!input.unavailable.empty()) {
       page.entry("", page.warning(fmt::format("{}: {}", input.name, input.unavailable)));
@@ -318,11 +329,11 @@ void write_sensitivities(Page& page, const RunResult& result) {
 
 void write_headline(Page& page, const RunResult& result, const HeadlineCheck& check, bool changed) {
   const std::string quantity =
-      check.at_s ? fmt::format("{} at {} s", check.stated.quantity, *check.at_s) : check.stated.quantity;
+      check.at_s ? fmt::format("{} at {}", check.stated.quantity, time_text(*check.at_s)) : check.stated.quantity;
   const std::string stated = fmt::format("{} = {:.12g} ± {:.1g}", quantity, check.stated.value, check.stated.tolerance);
   if (!check.difference) {
     const std::string why = result.status != RunStatus::completed && check.at_s
-                                ? fmt::format("the run stopped at {} s", result.reached_s)
+                                ? fmt::format("the run stopped at {}", time_text(result.reached_s))
                                 : std::string("this run has no such number");
     page.entry("Headline", page.warning(fmt::format("{}: not compared, {}", stated, why)));
     return;
@@ -351,8 +362,8 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   page.heading(printable(scenario.title.empty() ? scenario.name : scenario.title));
   write_scene(page, result.scene, result.reached_s);
   if (result.status != RunStatus::completed)
-    page.entry("Stopped", page.warning(fmt::format("{} at t = {} s of {} s", spoken(std::string(to_string(result.status))),
-                                                   result.reached_s, scenario.duration_s)));
+    page.entry("Stopped", page.warning(fmt::format("{} at t = {} of {}", spoken(std::string(to_string(result.status))),
+                                                   time_text(result.reached_s), time_text(scenario.duration_s))));
   page.gap();
   write_top(page, result.scene);
   page.gap();

@@ -3,6 +3,7 @@
 /// conditions for a physically possible body.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "earthtop/error.hpp"
@@ -42,6 +43,10 @@ Body<T> make_body(const BodySpec& spec);
 extern template Body<double> make_body(const BodySpec&);
 extern template Body<long double> make_body(const BodySpec&);
 extern template Body<float128> make_body(const BodySpec&);
+
+/// Names the moments of a diagonal tensor that are 0 to round-off: "I1 and I2 are 0". Empty where there is none, and for a tensor with
+/// products of inertia, whose moments have no such names.
+std::string missing_moments(const Mat3<double>& inertia);
 
 /// The reasons why a body is unphysical, each one sentence with a JSON pointer below /body. Conditions: the inertia tensor
 /// about the pivot is positive definite; the moments about the centre of mass satisfy the triangle inequality, where equality

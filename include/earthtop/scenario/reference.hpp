@@ -21,6 +21,10 @@ std::string scenario_reference_markdown();
 /// @throws ScenarioError for a text that is not a valid scenario
 std::string annotated_scenario(const ScenarioSource& source);
 
+/// Returns what to do about a name that is no key of a scenario: which one was probably meant, or what there is instead. Empty if
+/// nothing is known.
+std::string advice_on_key(const std::string& name);
+
 /// Returns the JSON pointers of all single values, for `--set`; list elements have index 0.
 std::vector<std::string> scenario_pointers();
 

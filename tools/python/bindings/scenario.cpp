@@ -50,6 +50,7 @@ void bind_scenario(py::module_& module) {
       py::arg("path"), "Reads a scenario file: (name for messages, text).");
   module.def("changed_text", &changed_text, py::arg("text"), py::arg("overrides"),
              "A scenario's text with changes in it; everything else stays as it is.");
+  module.def("advice_on_key", &advice_on_key, py::arg("name"), "What to do about a name that is no key of a scenario.");
   module.def("scenario_pointers", &scenario_pointers, "JSON pointers of all single values of a scenario.");
 }
 

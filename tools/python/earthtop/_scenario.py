@@ -68,8 +68,8 @@ def pointer_of(key: str) -> str:
         raise refuse(f"several sections have {key!r}; say which: {', '.join(meant)}")
     if key in {pointer.split("/")[1] for pointer in _core.scenario_pointers()}:
         return "/" + key
-    near = difflib.get_close_matches(key, _pointers_of_names(), n=1)
-    raise refuse(f"no key of a scenario is called {key!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+    advice = _core.advice_on_key(key)
+    raise refuse(f"no key of a scenario is called {key!r}" + (f"; {advice}" if advice else ""))
 
 
 def _steps(pointer: str) -> List[str]:
