@@ -351,9 +351,10 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   const std::uint64_t missing = interpolated > 0 ? counts.missing_outside : counts.missing_outside + counts.missing_inside;
   if (missing > 0 && !options_.may_lack_rows)
     result_.findings.push_back(
-        {"missing rows", fmt::format("{} of the reference's {} rows are missing in the new result, the first "
-                                     "one at {}",
-                                     missing, known.rows, at_time(interpolated > 0 ? counts.first_outside_s : counts.first_missing_s))});
+        {"missing rows",
+         fmt::format("{} of the reference's {} rows are missing in the new result, the first "
+                     "one at {}",
+                     missing, known.rows, at_time(interpolated > 0 ? counts.first_outside_s : counts.first_missing_s))});
   else if (missing > 0)
     result_.notes.push_back(
         fmt::format("{} of the reference's {} rows are missing in the new result, which was allowed", missing, known.rows));

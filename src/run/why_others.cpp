@@ -183,8 +183,7 @@ void tell_gyrocompass(Told& told) {
                   "the period {:.5g} s, by an elliptic integral.",
                   end > 0 ? (spin > 0 ? "North" : "North, and its spin to the South")
                           : (spin > 0 ? "South" : "South, and its spin to the North"),
-                  angle_text(std::abs(first), 4),
-                  size_of("ω3 " + of_north, end), small_period, period),
+                  angle_text(std::abs(first), 4), size_of("ω3 " + of_north, end), small_period, period),
       {{"drives_to_north", end},
        {"amplitude_rad", std::abs(first)},
        {"small_swing_period_s", small_period},
