@@ -25,7 +25,10 @@ TEST(ScenarioDocument, NumbersArePutInAsTheirDigitsWouldBeRead) {
       SCOPED_TRACE(fmt::format("{}={}", pointer, value));
       const ScenarioReport by_number = earthtop::examine(document, {{pointer, value}});
       const ScenarioReport by_text = examine_scenario(source, {{pointer, fmt::format("{}", value)}});
-      EXPECT_EQ(printed(by_number), printed(by_text));
+      std::vector<std::string> expected = printed(by_text);
+      for (std::string& message : expected)  // nobody gave the option
+        if (message.ends_with(" (from --set)")) message.resize(message.rfind(" (from --set)"));
+      EXPECT_EQ(printed(by_number), expected);
       ASSERT_EQ(by_number.scenario.has_value(), by_text.scenario.has_value());
       if (by_number.scenario) {
         EXPECT_TRUE(*by_number.scenario == *by_text.scenario);
