@@ -118,8 +118,8 @@ std::string conclusion_of(const PairReport& pair) {
                                  end.reference_goes_on ? "reference" : "new result", end.longer_t_s));
   const std::size_t left_out = pair.left_out.size();
   if (left_out > 0)
-    text += " " + sentence(counted(left_out, "figure does not belong to that time, and is left out",
-                                   "figures do not belong to that time, and are left out"));
+    text += " " +
+            sentence(fmt::format("What does not belong to that time is left out: {}", counted(left_out, "figure", "figures")));
   return text;
 }
 

@@ -67,6 +67,9 @@ std::size_t most_errors(std::size_t size) { return size < 3 ? 0 : size < 6 ? 1 :
 
 /// The number of errors if one word is a misspelling of the other; empty if it is another word.
 std::optional<std::size_t> misspelling(std::string_view given, std::string_view word) {
+  constexpr std::size_t kShort = 3;  // with another letter so short a word is another one: "tip" and "top"
+  if (given.size() == kShort && word.size() == kShort && !std::is_permutation(given.begin(), given.end(), word.begin()))
+    return std::nullopt;
   const std::size_t errors = edit_distance(given, word);
   return errors <= most_errors(std::min(given.size(), word.size())) ? std::optional(errors) : std::nullopt;
 }

@@ -56,7 +56,7 @@ grep -Eq 'differs by [0-9.e-]+ at t = [0-9.]+ s, tolerance [0-9.e-]+ from .*, fi
 # Runs of unlike lengths, where that is allowed, are compared up to the end of the shorter one, whichever that is.
 for pair in "runs/toy-top short" "short runs/toy-top"; do
   expect 0 compare $pair --allow-change /motion --allow-missing --junit lengths.xml
-  says 'Both were compared up to t = 2 s, where the .* ends; the .* goes on to t = 60 s\. [0-9]* figures do not belong to that time, and are left out\.'
+  says 'Both were compared up to t = 2 s, where the .* ends; the .* goes on to t = 60 s\. What does not belong to that time is left out: [0-9]* figures\.'
   grep -q '<skipped message="a figure of a whole run has no common meaning for runs of unlike lengths"/>' lengths.xml || fault "no word in lengths.xml"
   expect 0 compare $pair --allow-change /motion --allow-missing --all
   says 'note: not compared: outcome.reached_s, .*: a figure of a whole run has no common meaning for runs of unlike lengths'

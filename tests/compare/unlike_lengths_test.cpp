@@ -121,7 +121,8 @@ TEST(UnlikeLengths, AgreeInWhatBothHave) {
                        : "Both were compared up to t = 2 s, where the reference ends; the new result goes on to t = 5 s."),
         words.npos)
         << words;
-    EXPECT_NE(words.find(std::to_string(out.size()) + " figures do not belong to that time, and are left out."), words.npos)
+    EXPECT_NE(words.find("What does not belong to that time is left out: " + std::to_string(out.size()) + " figure"),
+              words.npos)
         << words;
     EXPECT_TRUE(mentions(pair.notes, "not compared: outcome.reached_s, drift.axis_max_rad,"));
     EXPECT_TRUE(mentions(pair.notes, ": " + std::string(kOfWholeRun)));
@@ -210,7 +211,7 @@ TEST(UnlikeLengths, AReferenceCutBeforeChaosAgrees) {
   change_summary(longer, [](Ordered& s) { s["drift"]["verdict_intervals"][0]["from_s"] = 0.2; });
   const PairReport doubted = compared_up_to_end(brief, longer);
   ASSERT_TRUE(has_finding(doubted, "other verdict"));
-  EXPECT_EQ(doubted.findings[0].text, "trusted until t = 4 s in the reference, until t = 0.2 s now");
+  EXPECT_EQ(doubted.findings[0].text, "trusted to the end in the reference, until t = 0.2 s now");
 }
 
 TEST(UnlikeLengths, EventsCountUpToTheCommonEnd) {
@@ -388,7 +389,7 @@ TEST(Trust, RowsAfterADoubtThatEndsAreCompared) {
 TEST(Trust, ADoubtOfOneSideAloneIsAnotherVerdict) {
   const PairReport pair = with_doubts(Ordered::array({doubted(1, 5)}), 30, false);
   ASSERT_TRUE(has_finding(pair, "other verdict"));
-  EXPECT_EQ(pair.findings[0].text, "trusted until t = 6 s in the reference, for 2 s now");
+  EXPECT_EQ(pair.findings[0].text, "trusted to the end in the reference, for 2 s now");
 }
 
 // A figure that is zero in truth is made of rounding: what its error is stated to be says how large it may be.

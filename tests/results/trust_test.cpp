@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "earthtop/report/report.hpp"
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/results.hpp"
+#include "number_text.hpp"
+#include "results/made_up_run.hpp"
 #include "run/verdict.hpp"
 #include "screen.hpp"
 #include "summary_text.hpp"
@@ -18,6 +21,7 @@
 #include "support/effect_scenes.hpp"
 #include "support/json.hpp"
 #include "support/temporary_directory.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -85,7 +89,7 @@ void expect_one_word(const RunResult& result) {
 
   // The terminal.
   const std::string text = tool::summary_text(result, "nowhere", false, {200, false});
-  EXPECT_EQ(has(text, known ? fmt::format("Drift after {} s", last->t_s) : "none that can be trusted"), true) << text;
+  EXPECT_EQ(has(text, known ? "Drift after " + time_text(last->t_s) : "none that can be trusted"), true) << text;
   EXPECT_EQ(has(text, "marked as not reliable"), !all) << text;
   EXPECT_EQ(has(text, "later rows are written"), known && !to_the_end) << text;
   EXPECT_EQ(has(text, "at most "), known && result.verdict.trusts(result.drift.axis_max_at_s)) << text;
@@ -216,6 +220,19 @@ TEST(Trust, IsNoneInRunsThatWereNotJudged) {
   mark_rows(result);
   EXPECT_EQ(last_reliable_row(result), nullptr);
   expect_one_word(result);
+}
+
+TEST(SummaryText, AnUnknownBoundAndSwingsWithinTheirErrorAreSaidSo) {
+  EXPECT_EQ(tool::with_bound(1.5e-3, std::numeric_limits<double>::quiet_NaN(), "rad"), "1.500000e-03 rad, bound not known");
+  RunResult result = test::made_up_run(2);
+  result.drift.secular.emplace();
+  result.drift.secular->azimuth_rate_rad_s = 1e-5;
+  result.drift.secular->azimuth_oscillation_rad = 1e-17;
+  result.drift.secular->azimuth_oscillation_bound_rad = 2e-16;
+  const auto text = [&] { return tool::summary_text(result, "nowhere", false, {200, false}); };
+  EXPECT_NE(text().find("none beyond the error of 2.0e-16 rad"), std::string::npos) << text();
+  result.drift.secular->azimuth_oscillation_rad = 1e-3;
+  EXPECT_EQ(text().find("none beyond the error of"), std::string::npos) << text();
 }
 
 }  // namespace

@@ -273,7 +273,10 @@ TEST(ContactKeys, WhatNoTableCanHaveIsRefusedWithTheReason) {
        {{"/release/precession", "steady_fast"}, {"/release/tilt_deg", "90"}}},
       {with(kFree, R"("max_tilt_deg": 20)"), "5:76 /contact/max_tilt_deg", "is not above the tilt of the release, 20 deg"},
       {with(kFree, R"("max_tilt_deg": 10)"), "5:76 /contact/max_tilt_deg", "give a larger angle, or leave it out"},
-      {kFree, "2:72 /body/inertia", "all three must be above 0", {{"/body/inertia/principal_kg_m2", "[0, 3e-5, 3e-5]"}}},
+      {kFree,
+       "2:72 /body/inertia",
+       "all three moments must be above 0",
+       {{"/body/inertia/principal_kg_m2", "[0, 3e-5, 3e-5]"}}},
       {kCoulomb, "0:0 /contact/regularisation_m_s", "at 1e+300 per second", {{"/contact/regularisation_m_s", "5e-324"}}},
       {kFree, "5:13 /contact", "the normal force at the release would be 0 N", {{"/site/gravity_m_s2", "0"}}},
   };

@@ -189,7 +189,7 @@ BEYOND_THE_SCHEMA = [
     ({"contact": SLIDING, "release": {"tilt_deg": 60, "angular_velocity_body_rad_s": [0, -100, 0]}}, "leaves the table"),
     ({"contact": {**SLIDING, "regularisation_m_s": 1e-9}}, "makes a slip die out"),
     ({"contact": SLIDING, "body": {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.03], "inertia": {
-        "about": "center_of_mass", "principal_kg_m2": [0, 1e-4, 1e-4]}}}, "all three must be above 0"),
+        "about": "center_of_mass", "principal_kg_m2": [0, 1e-4, 1e-4]}}}, "all three moments must be above 0"),
     ({"criteria": [{"kind": "value", "quantity": "q_LB", "values": [1], "tolerance": 0, "why": ""}]}, "numbers; "),
 ]
 # The same where the fault is in the text: a parser takes these silently, or a schema never sees them.

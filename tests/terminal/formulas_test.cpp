@@ -783,7 +783,7 @@ TEST(Formulas, EveryFormulaOfTheSourcesIsHeld) {
                               "a + b cos({}°)",
                               "a + b ln|{}|",
                               "a |{}|^b",
-                              "Ω = {} rad/s; in {} s it turns by {} = {:.5g} rad = {}"};
+                              "Ω = {} rad/s; in {} it turns by {} = {:.5g} rad = {}"};
   const char* const without_number[] = {"the Earth's rate times sin(latitude)",
                                         "the Earth's rate times cos(latitude)",   // names of what is estimated
                                         "with (I3 w3)^2 of at least 2 m g l I1",  // a condition

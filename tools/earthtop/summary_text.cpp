@@ -247,8 +247,8 @@ std::string theory_line(const TheoryReport& report, double sign) {
   if (!report.applies)
     return fmt::format("first-order theory does not apply: it leaves out {:.1e} {} of {:+.3e}", report.predicted_error,
                        report.unit, 0.0 + sign * report.predicted);
-  return fmt::format("first-order theory: {:+.4e} ± {:.1e} {}", 0.0 + sign * report.predicted, report.predicted_error,
-                     report.unit);
+  const std::string predicted = report.predicted == 0 ? "0" : fmt::format("{:+.4e}", sign * report.predicted);
+  return fmt::format("first-order theory: {} ± {:.1e} {}", predicted, report.predicted_error, report.unit);
 }
 
 /// Why the drift is what it is.

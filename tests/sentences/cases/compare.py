@@ -479,7 +479,7 @@ OF_ROWS = [
           both(rows=at(0, 1.5, 2)), 1, other(rows=at(0, 1, 2)), 1),
     *told("extra rows: the new result has rows that the reference of the same scenario lacks", both(rows=[*ROWS, [3, 0]]), 1,
           both()),
-    *told("note: 2 new rows lie outside the reference's times, 0 to 2 s: not compared", other(rows=[*ROWS, [3, 0], [4, 0]]), 0,
+    *told("note: 2 new rows lie outside the reference's times, 0 s to 2 s: not compared", other(rows=[*ROWS, [3, 0], [4, 0]]), 0,
           other(), command=ALLOWED + " --all"),
     *told("missing rows: 2 of the reference's 3 rows are missing in the new result, the first one at t = 0 s",
           both(rows=[[1, 1e-6]]), 1,

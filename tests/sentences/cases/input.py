@@ -178,9 +178,9 @@ CASES = [
             {"/effects/polar_motion": True}, {"/motion/start_utc": "2026-01-01T00:00:00Z"}),
     refused('/motion/start_utc: is "2026-02-29T00:00:00Z"; must be an instant of UTC, YYYY-MM-DDThh:mm:ssZ',
             {"/motion/start_utc": "2026-02-29T00:00:00Z"}, {"/motion/start_utc": "2028-02-29T00:00:00Z"}),
-    refused("/body/solids/0/inner_radius_m: 0.02 is not smaller than radius_m, 0.02; the inner radius must be below the outer one",
-            solid(shape="ring", radius_m=0.02, inner_radius_m=0.02, length_m=0.01, mass_kg=0.1, at_m=0.03),
-            {"/body/solids/0/inner_radius_m": 0.0199}),
+    refused("/body/solids/0/inner_radius_m: 0.0201 is larger than radius_m, 0.02",
+            solid(shape="ring", radius_m=0.02, inner_radius_m=0.0201, length_m=0.01, mass_kg=0.1, at_m=0.03),
+            {"/body/solids/0/inner_radius_m": 0.02}),
     refused("/platform/file: names no file; must be the path of a CSV file", {"/platform": {"motion": "table", "file": ""}},
             {"/platform": None}),
     refused(f"/platform/file_sha256: is not that of angles.csv, {hashlib.sha256(TABLE.encode()).hexdigest()}; use the file that was "

@@ -156,6 +156,11 @@ CASES = [
              "Fit prediction_failed: there is no prediction next to the values from which the fit starts", TILTS, status=1,
              set=NO_PRECESSION, unless={"/release/precession": "none"}),
 
+    # what was taken as exact
+    Case(["plan s.json --measure axis_deg --sigma 0.01 --every 0.5 --until 10 --write-data m.csv --quiet",
+          "compare s.json m.csv --estimate spin_rad_s --set '/uncertainty={\"gravity_m_s2\": 0.01}'"],
+         ["Taken as exact: errors that would move spin_rad_s by one sigma", "; it is stated to ± 0.01, "]),
+
     # what estimates are called
     *[compared(f"--estimate {name}", f"{spoken} is ", TILTS, status=status)
       for name, spoken, status in (("tilt_deg", "the tilt at release", 1), ("/release/tilt_deg", "the tilt at release", 1),
