@@ -93,7 +93,7 @@ constexpr std::array<std::string_view, 2> kAbbreviations[] = {
 /// Units as people speak them, which keys do not have.
 constexpr std::string_view kSpokenUnits[] = {
     "degree",  "degrees", "radian", "radians", "gram",   "grams", "kilogram", "kilograms",   "second",      "seconds", "minute",
-    "minutes", "hour",    "hours",  "meter",   "meters", "metre", "metres",   "millimeters", "millimetres", "hertz"};
+    "minutes", "hour",    "hours",  "meter",   "meters", "metre", "metres",   "millimeters", "millimetres", "inches",  "feet"};
 
 constexpr std::size_t kLongestKey = 48;  // a longer key has no unit worth explaining, and a hostile one would cost time
 constexpr std::size_t kMostParts = 4;
@@ -231,6 +231,7 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
                                         bool with_path) {
   if (key.size() > kLongestKey) return std::nullopt;
   const std::string lower = lower_case(key);
+  if (without_unit(lower).size() == lower.size()) return std::nullopt;
   const std::vector<std::string_view> keys = table.keys_below(pattern);
   const auto is_key = [&](std::string_view known) { return lower_case(known) == lower; };
   if (std::any_of(keys.begin(), keys.end(), is_key)) return std::nullopt;  // in another case only

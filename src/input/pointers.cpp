@@ -46,6 +46,7 @@ std::string no_index(std::string_view token, std::size_t size) {
 std::optional<Suggestion> meant_key(const FieldTable& table, std::string_view key, std::string_view pattern,
                                     std::vector<std::string_view> keys) {
   if (const auto meant = abbreviated(table, key, pattern)) return Suggestion{*meant, Nearness::same};
+  if (!nearest(key, keys)) return std::nullopt;
   for (const std::string_view second : keys_in_second_units(table, pattern)) {
     if (is_one_letter_off(key, second)) return Suggestion{second, Nearness::misspelt};
     std::erase(keys, second);
@@ -74,7 +75,7 @@ std::vector<Elsewhere> objects_elsewhere(const FieldTable& table, std::string_vi
   const Field* describing = nullptr;  // the last field that only describes; its members follow it
   for (const Field& field : table.fields) {
     if (field.describes_only) describing = &field;
-    if (field.pointer == pattern || table.keys_below(field.pointer).empty()) continue;
+    if (field.pointer == pattern || !(may_be_object(field.kind) || field.key() == "*")) continue;
     const bool below =
         !pattern.empty() && field.pointer.starts_with(pattern) && field.pointer.substr(pattern.size()).starts_with('/');
     objects.push_back({field.pointer, below, describing && field.pointer.starts_with(describing->pointer),

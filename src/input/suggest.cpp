@@ -65,13 +65,16 @@ std::string joined(const Words& words) {
 /// The most errors in a word of this size: a short one with two is another word.
 std::size_t most_errors(std::size_t size) { return size < 3 ? 0 : size < 6 ? 1 : 2; }
 
-/// The number of errors if one word is a misspelling of the other; empty if it is another word.
+/// The number of errors if one word is a misspelling of the other; empty if it is another word, as "top" is another one than "tip".
 std::optional<std::size_t> misspelling(std::string_view given, std::string_view word) {
-  constexpr std::size_t kShort = 3;  // with another letter so short a word is another one: "tip" and "top"
-  if (given.size() == kShort && word.size() == kShort && !std::is_permutation(given.begin(), given.end(), word.begin()))
+  const std::size_t most = most_errors(std::min(given.size(), word.size()));
+  if (std::max(given.size(), word.size()) > std::min(given.size(), word.size()) + most) return std::nullopt;
+  constexpr std::size_t kAllMatter = 4;  // a replaced letter makes another word of fewer letters
+  if (given.size() == word.size() && given.size() < kAllMatter &&
+      !std::is_permutation(given.begin(), given.end(), word.begin()))
     return std::nullopt;
   const std::size_t errors = edit_distance(given, word);
-  return errors <= most_errors(std::min(given.size(), word.size())) ? std::optional(errors) : std::nullopt;
+  return errors <= most ? std::optional(errors) : std::nullopt;
 }
 
 /// The errors in all words, if each is a misspelling of its counterpart.
@@ -90,6 +93,7 @@ std::optional<std::size_t> misspelling(const Words& given, const Words& words) {
 bool is_divided_otherwise(const std::string& given, const std::string& word) {
   constexpr std::size_t kShort = 5;  // a name of fewer letters with an error is another one
   if (given == word) return true;
+  if (std::max(given.size(), word.size()) > std::min(given.size(), word.size()) + 1) return false;
   return std::min(given.size(), word.size()) >= kShort && edit_distance(given, word) <= 1;
 }
 
@@ -114,14 +118,14 @@ bool is_part(const Words& given, const Words& words) {
 using Rank = std::pair<Nearness, std::size_t>;
 std::optional<Rank> rank_of(const Spelling& given, const Spelling& candidate) {
   if (given.words.empty() || candidate.words.empty()) return std::nullopt;
-  const std::size_t apart = edit_distance(given.whole, candidate.whole);
-  if (given.words == candidate.words) return Rank{Nearness::same, apart};
-  if (misspelling(given.words, candidate.words)) return Rank{Nearness::misspelt, apart};
-  if (has_unknown_unit(given, candidate)) return Rank{Nearness::misspelt, apart};
+  const auto ranked = [&](Nearness nearness) { return Rank{nearness, edit_distance(given.whole, candidate.whole)}; };
+  if (given.words == candidate.words) return ranked(Nearness::same);
+  if (misspelling(given.words, candidate.words)) return ranked(Nearness::misspelt);
+  if (has_unknown_unit(given, candidate)) return ranked(Nearness::misspelt);
   if (given.words.size() != candidate.words.size() || given.words.size() == 1)
     if (is_divided_otherwise(joined(given.whole), joined(candidate.whole)) ||
         is_divided_otherwise(joined(given.words), joined(candidate.words)))
-      return Rank{Nearness::misspelt, apart};
+      return ranked(Nearness::misspelt);
   if (!is_part(given.words, candidate.words)) return std::nullopt;
   const bool begins = misspelling(given.words, {candidate.words.begin(),
                                                 candidate.words.begin() + static_cast<std::ptrdiff_t>(given.words.size())})

@@ -250,13 +250,16 @@ def test_a_signal_ends_a_long_call():
         raise Ended
 
     top, t = LagrangeTop(**TOP), np.linspace(0, 1, 6_000_000)  # a second or two
+    start = time.process_time()
+    top.at(t[::6])
+    whole = 6 * (time.process_time() - start)
     before = signal.signal(signal.SIGVTALRM, handler)
     try:
         start = time.process_time()
         with pytest.raises(Ended):
             signal.setitimer(signal.ITIMER_VIRTUAL, 0.1)  # of processor time
             top.at(t)
-        assert time.process_time() - start < 0.3
+        assert time.process_time() - start < 0.5 * whole
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         signal.signal(signal.SIGVTALRM, before)
