@@ -10,6 +10,7 @@
 #include "compare/row.hpp"
 #include "results/columns.hpp"
 #include "results/unit_of_name.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -112,10 +113,9 @@ std::string conclusion_of(const PairReport& pair) {
   std::string text = what_was_found(pair);
   if (!pair.common_end) return text;
   const CommonEnd& end = *pair.common_end;
-  text +=
-      " " + sentence(fmt::format("both were compared up to t = {:.10g} s, where the {} ends; the {} goes on to t = {:.10g} s",
-                                 end.t_s, end.reference_goes_on ? "new result" : "reference",
-                                 end.reference_goes_on ? "reference" : "new result", end.longer_t_s));
+  text += " " + sentence(fmt::format("both were compared up to t = {}, where the {} ends; the {} goes on to t = {}",
+                                     time_text(end.t_s), end.reference_goes_on ? "new result" : "reference",
+                                     end.reference_goes_on ? "reference" : "new result", time_text(end.longer_t_s)));
   const std::size_t left_out = pair.left_out.size();
   if (left_out > 0)
     text += " " +

@@ -34,7 +34,7 @@ Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
           {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
           {"sentence", estimate_sentence(estimate, by_scatter)},
           {"finding", finding_json(estimate.finding)},
-          {"exact", exact_json(estimate.exact, by_scatter ? estimate.standard_error_scaled : estimate.standard_error)}};
+          {"exact", exact_json(estimate.exact, estimate.said_error(by_scatter))}};
 }
 
 Json prior_json(const Prior& prior) {

@@ -100,7 +100,7 @@ void EstimatedInputs::add(const std::string& name) {
     for (const CombinedName& combined : kCombinedNames) names.push_back(combined.name);
     for (const InputRow& row : kInputs)
       if (!row.of.empty()) names.push_back(row.name());
-    if (name == "pivot_offset_m")
+    if (std::ranges::any_of(kInputs, [&](const InputRow& r) { return r.kind == InputKind::pivot_offset && r.name() == name; }))
       refuse_estimate(name, "is no single number; estimate its parts, e.g. /platform/pivot_offset_m/0");
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));

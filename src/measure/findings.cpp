@@ -73,7 +73,7 @@ void add_findings(MeasurementReport& report, const Measurement& measurement, con
     ParameterEstimate& estimate = report.estimates[j];
     estimate.exact = exact.shifting(J, j);
     const auto known = known_rate(scene, exact.all().list()[j]);
-    const double error = report.scatters_more() ? *estimate.standard_error_scaled : *estimate.standard_error;
+    const double error = *estimate.said_error(report.scatters_more());
     if (!known || !(error > 0)) continue;
     std::optional<double> prior;
     for (const Prior& used : report.priors)

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/known_rate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/scenario/inputs.hpp"
@@ -13,13 +15,11 @@ namespace {
 constexpr double kRelativeErrorOfEarthRate = 1e-8;
 constexpr double kStillTheEarth = 1e-6;  // a rate that differs by more from the Earth's is another one
 
-/// The standard error that the scenario states; 0 where it states none.
-double stated(const Scene& scene, std::string_view name) {
+/// The standard error that the scenario states; 0 where it states none. @param input  one of kInputNames
+double stated(const Scene& scene, std::string_view input) {
   const auto& uncertainty = scene.scenario().uncertainty;
-  if (!uncertainty) return 0;
-  for (std::size_t i = 0; i < kInputs.size(); ++i)
-    if (kInputNames[i] == name) return (*uncertainty)[i];
-  return 0;
+  return uncertainty ? (*uncertainty)[static_cast<std::size_t>(std::ranges::find(kInputNames, input) - kInputNames.begin())]
+                     : 0;
 }
 
 bool is_earths(const Scene& scene) {

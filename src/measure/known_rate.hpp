@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "earthtop/measure/rate_finding.hpp"
 #include "measure/estimated_inputs.hpp"
@@ -13,8 +12,5 @@ namespace earthtop::measure {
 /// The rate that an input is; none for an input that is no rate of the Earth. The Earth's own rate is known to 1e-8 of itself
 /// (days differ by some milliseconds), another one, and the latitude, as the scenario's `uncertainty` says.
 std::optional<KnownRate> known_rate(const Scene& scene, const EstimatedInput& input);
-
-/// A number of standard errors as one says it: "17", "3.4", "0.1".
-std::string sigmas(double count);
 
 }  // namespace earthtop::measure

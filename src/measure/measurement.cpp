@@ -85,6 +85,7 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
 /// The expected number of predictions of a fit: for each parameter two to find its step, and two for its derivative in each of
 /// some iterations.
 double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
+
 void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
                    const Watch& watch) {
   const std::vector<double> times = measured_times(measurement);
@@ -321,7 +322,8 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
   constexpr double kVerdict = 6;
   const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
   const double of_curve = options.curve_points > 0 ? 1 : 0;
-  const double of_exact = estimates.empty() ? 0 : expected_derivatives(estimates.size() + 8);
+  constexpr std::size_t kExact = 8;  // inputs that a top's fit takes as exact, roughly
+  const double of_exact = estimates.empty() ? 0 : expected_derivatives(estimates.size() + kExact);
   Parts parts(watch, 1 + kVerdict + of_fit + of_exact + of_curve);
   const PredictedMotion motion =
       predict(scene, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));

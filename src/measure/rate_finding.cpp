@@ -7,16 +7,10 @@
 #include <cmath>
 
 #include "earthtop/measure/measurement.hpp"
-#include "measure/known_rate.hpp"
+#include "measure/sigmas.hpp"
 
 namespace earthtop {
 namespace measure {
-
-std::string sigmas(double count) {
-  if (count < 9.95) return fmt::format("{:.1f}", count);
-  return count < 9999.5 ? fmt::format("{:.0f}", count) : fmt::format("{:.1e}", count);
-}
-
 namespace {
 
 std::string words_on(const std::vector<InputError>& culprits) {
@@ -55,6 +49,7 @@ RateFinding rate_finding(double estimate, double standard_error, const KnownRate
   if (prior) {  // information adds up: the data's is what the prior's leaves of the estimate's
     const double of_both = 1 / (standard_error * standard_error), of_prior = 1 / (*prior * *prior);
     const double of_data = of_both - of_prior;
+    // A fit's standard errors have some six digits: a smaller part of the information is not known to be the data's.
     constexpr double kRounding = 1e-9;
     if (!(of_data > kRounding * of_both)) return finding;  // the data say nothing
     estimate = known.value + (estimate - known.value) * (of_both / of_data);
@@ -69,7 +64,8 @@ RateFinding rate_finding(double estimate, double standard_error, const KnownRate
 std::string finding_words(const RateFinding& finding) {
   using measure::sigmas, measure::words_on;
   const KnownRate& known = finding.known;
-  const std::string value = known.standard_error > 1e-6 * std::abs(known.value)
+  constexpr double kShown = 1e-6;  // of the rate: a smaller error is beyond the digits of "{:.7g}"
+  const std::string value = known.standard_error > kShown * std::abs(known.value)
                                 ? with_standard_error(known.value, known.standard_error)
                                 : fmt::format("{:.7g}", known.value);
   const std::string rate =

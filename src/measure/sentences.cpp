@@ -7,7 +7,7 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/measure/measurement.hpp"
-#include "measure/known_rate.hpp"
+#include "measure/sigmas.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -54,7 +54,7 @@ std::string with_standard_error(double value, double error) {
 std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   using namespace measure;
   if (!given.estimate || !given.standard_error) return "";
-  const double error = by_scatter ? given.standard_error_scaled.value_or(*given.standard_error) : *given.standard_error;
+  const double error = *given.said_error(by_scatter);
   const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
                                    [&](const SpokenInput& input) { return input.name == given.name; });
   const bool is_known = known != std::end(kSpokenInputs);

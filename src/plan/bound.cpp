@@ -52,6 +52,14 @@ RowMajor chosen_rows(const Derivatives& all, const Eigen::MatrixXd& all_J, const
   return J;
 }
 
+/// The derivatives of the priors (rows) by this many inputs.
+Eigen::MatrixXd prior_rows(Index inputs, const std::vector<double>& scales, const std::vector<InputPrior>& priors) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Index>(priors.size()), inputs);
+  for (std::size_t k = 0; k < priors.size(); ++k)
+    rows(static_cast<Index>(k), static_cast<Index>(priors[k].input)) = scales[priors[k].input] / priors[k].standard_error;
+  return rows;
+}
+
 /// As many rows as numbers with the same information as J, and below them those of the priors. Directions that the values do not
 /// determine are left to the priors.
 RowMajor with_priors(const RowMajor& J, const std::vector<double>& scales, const std::vector<InputPrior>& priors) {
@@ -59,9 +67,7 @@ RowMajor with_priors(const RowMajor& J, const std::vector<double>& scales, const
   const Eigen::MatrixXd seen = measure::seen_directions(J).rows;
   RowMajor rows = RowMajor::Zero(numbers + static_cast<Index>(priors.size()), numbers);
   rows.topRows(seen.rows()) = seen;
-  for (std::size_t k = 0; k < priors.size(); ++k)
-    rows(numbers + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
-        scales[priors[k].input] / priors[k].standard_error;
+  rows.bottomRows(static_cast<Index>(priors.size())) = prior_rows(numbers, scales, priors);
   return rows;
 }
 
@@ -81,12 +87,9 @@ Eigen::MatrixXd derivatives_by_all(const Derivatives& derivatives, const std::ve
   if (priors.empty()) return rows;
   auto of_numbers = rows.leftCols(derivatives.J.cols());
   of_numbers = measure::seen_directions(of_numbers).seen_part(of_numbers);
-  const Index values = rows.rows();
-  rows.conservativeResize(values + static_cast<Index>(priors.size()), Eigen::NoChange);
-  rows.bottomRows(static_cast<Index>(priors.size())).setZero();
-  for (std::size_t k = 0; k < priors.size(); ++k)
-    rows(values + static_cast<Index>(k), static_cast<Index>(priors[k].input)) =
-        scales[priors[k].input] / priors[k].standard_error;
+  const auto number = static_cast<Index>(priors.size());
+  rows.conservativeResize(rows.rows() + number, Eigen::NoChange);
+  rows.bottomRows(number) = prior_rows(rows.cols(), scales, priors);
   return rows;
 }
 

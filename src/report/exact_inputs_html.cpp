@@ -6,14 +6,11 @@
 namespace earthtop::report {
 
 std::string exact_inputs_html(const Json& estimate) {
-  const auto cell = [](const Json& value, const std::string& unit, int digits) {
-    return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
-  };
   std::vector<std::vector<std::string>> rows;
   for (const Json& input : estimate.value("exact", Json::array())) {
     const std::string unit = input.at("unit").get<std::string>();
-    rows.push_back({escaped(input.at("name").get<std::string>()), cell(input.at("value"), unit, 9),
-                    cell(input.at("error_of_one_sigma"), unit, 2), cell(input.at("stated"), unit, 2)});
+    rows.push_back({escaped(input.at("name").get<std::string>()), number_html(input.at("value"), unit, 9),
+                    number_html(input.at("error_of_one_sigma"), unit, 2), number_html(input.at("stated"), unit, 2)});
   }
   if (rows.empty()) return "";
   return "<h3>Taken as exact</h3>\n<p>Each error by itself would shift " + escaped(estimate.at("name").get<std::string>()) +

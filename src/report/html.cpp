@@ -164,6 +164,10 @@ std::string number_html(double value, std::string_view unit, int digits) {
   return fmt::format("<data value=\"{}\">{:.{}g}</data>{}{}", value, value, digits, unit.empty() ? "" : " ", escaped(unit));
 }
 
+std::string number_html(const Json& value, std::string_view unit, int digits) {
+  return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
+}
+
 Page::Page(std::string kind, std::string title) : title_(std::move(title)) {
   data_["kind"] = std::move(kind);
   data_["charts"] = Json::object();

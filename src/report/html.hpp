@@ -28,6 +28,8 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
 
 /// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit.
 std::string number_html(double value, std::string_view unit, int digits = 7);
+/// The same of a document's value; empty where that is no number.
+std::string number_html(const Json& value, std::string_view unit, int digits);
 
 /// A point of a chart, and what it is.
 struct Mark {

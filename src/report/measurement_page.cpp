@@ -20,10 +20,6 @@ std::string words_of(const Json& json, const char* key) {
   return value.is_string() ? value.get<std::string>() : "";
 }
 
-std::string number_or_nothing(const Json& value, const std::string& unit, int digits) {
-  return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
-}
-
 std::string chi_squared_html(const Json& chi_squared) {
   if (!chi_squared.is_object()) return "";
   std::string html = fmt::format("{} with {} degrees of freedom", number_html(chi_squared.at("value").get<double>(), "", 6),
@@ -56,10 +52,9 @@ std::string estimates_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& estimate : document.at("estimates")) {
     const std::string unit = estimate.at("unit").get<std::string>();
-    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_or_nothing(estimate.at("estimate"), unit, 9),
-                    number_or_nothing(estimate.at("standard_error"), unit, 2),
-                    number_or_nothing(estimate.at("standard_error_scaled"), unit, 2),
-                    number_or_nothing(estimate.at("start"), unit, 9)});
+    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_html(estimate.at("estimate"), unit, 9),
+                    number_html(estimate.at("standard_error"), unit, 2),
+                    number_html(estimate.at("standard_error_scaled"), unit, 2), number_html(estimate.at("start"), unit, 9)});
   }
   return wide_table({"input", "estimate", "standard error", "standard error from the scatter, if larger", "scenario's value"},
                     rows);
@@ -75,13 +70,13 @@ std::string correlation_html(const Json& document) {
     const std::string name = document.at("estimates").at(j).at("name").get<std::string>();
     header.push_back(name);
     std::vector<std::string> row = {"<strong>" + escaped(name) + "</strong>"};
-    for (const Json& value : correlation.at(j)) row.push_back(number_or_nothing(value, "", 3));
+    for (const Json& value : correlation.at(j)) row.push_back(number_html(value, "", 3));
     rows.push_back(std::move(row));
   }
   return "<h3>Correlation of the estimates' errors</h3>\n" + wide_table(header, rows);
 }
 
-/// What the estimates of the Earth's rate rest on, or the first one where there is none of these.
+/// Tells what the estimates of the Earth's rate rest on; where there is none of these, what the first one does.
 std::string exact_html(const Json& document) {
   const Json& estimates = document.at("estimates");
   std::string html;
@@ -94,8 +89,8 @@ std::string priors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& prior : document.value("priors", Json::array())) {
     const std::string unit = words_of(prior, "unit");
-    rows.push_back({escaped(words_of(prior, "input")), number_or_nothing(prior.at("mean"), unit, 9),
-                    number_or_nothing(prior.at("standard_error"), unit, 3), number_or_nothing(prior.at("pull"), "", 3)});
+    rows.push_back({escaped(words_of(prior, "input")), number_html(prior.at("mean"), unit, 9),
+                    number_html(prior.at("standard_error"), unit, 3), number_html(prior.at("pull"), "", 3)});
   }
   std::vector<std::string> unused;
   for (const Json& prior : document.value("unused_priors", Json::array()))
@@ -111,7 +106,7 @@ std::string priors_html(const Json& document) {
 std::string agreement_html(const Json& document) {
   const Json &prediction = document.at("prediction"), &fit = document.at("fit");
   Facts facts = {{"prediction", fmt::format("{}, to {}", escaped(prediction.at("status").get<std::string>()),
-                                            number_or_nothing(prediction.at("reached_s"), "s", 6))},
+                                            number_html(prediction.at("reached_s"), "s", 6))},
                  {"chi-squared as given", chi_squared_html(document.at("chi_squared").at("as_given"))}};
   if (const std::string outcome = fit.at("outcome").get<std::string>(); outcome != "not_asked") {
     const std::string reason = fit.at("reason").get<std::string>();
@@ -121,7 +116,7 @@ std::string agreement_html(const Json& document) {
     facts.emplace_back("chi-squared after the fit", fitted);
   if (const Json time = document.value("correlation_time_s", Json()); time.is_number())
     facts.emplace_back("errors",
-                       "correlated over " + number_or_nothing(time, "s", 6) +
+                       "correlated over " + number_html(time, "s", 6) +
                            ", as stated; chi-squared counts the part of each residual that the one before does not predict");
   std::vector<std::string> notes;
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));

@@ -40,18 +40,13 @@ PlanReport pictured(const Json& document) {
   return report;
 }
 
-std::string number_cell(const Json& value, const std::string& unit, int digits) {
-  const auto number = number_in(value);
-  return number ? number_html(*number, unit, digits) : "";
-}
-
 std::string errors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& estimate : document.at("estimates")) {
     const std::string unit = estimate.at("unit").get<std::string>();
-    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_cell(estimate.at("value"), unit, 7),
-                    number_cell(estimate.at("standard_error"), unit, 3), number_cell(estimate.at("significance"), "", 3),
-                    number_cell(estimate.at("standard_error_alone"), unit, 3), number_cell(estimate.at("prior"), unit, 3)});
+    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_html(estimate.at("value"), unit, 7),
+                    number_html(estimate.at("standard_error"), unit, 3), number_html(estimate.at("significance"), "", 3),
+                    number_html(estimate.at("standard_error_alone"), unit, 3), number_html(estimate.at("prior"), unit, 3)});
   }
   return table_html({"input", "scenario's value", "standard error", "value / standard error",
                      "standard error if the others were known", "known beforehand to"},
@@ -63,17 +58,17 @@ std::string costs_html(const Json& document, const std::string& unit) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& variation : document.at("variations"))
     if (variation.at("change") == to_string(PlanChange::known))
-      rows.push_back({escaped(variation.at("input").get<std::string>()), number_cell(variation.at("standard_error"), unit, 3)});
+      rows.push_back({escaped(variation.at("input").get<std::string>()), number_html(variation.at("standard_error"), unit, 3)});
   return rows.empty() ? "" : table_html({"unknown", "standard error if it were known exactly"}, rows);
 }
 
 std::string optimum_html(const Json& optimum, const std::string& unit) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& choice : optimum.at("choices"))
-    rows.push_back({escaped(choice.at("pointer").get<std::string>()), number_cell(choice.at("best"), "", 6),
-                    number_cell(choice.at("low"), "", 6), number_cell(choice.at("high"), "", 6),
-                    choice.at("at_limit").get<bool>() ? "yes" : "no", number_cell(choice.at("given"), "", 6)});
-  return "<p>The standard error there is " + number_cell(optimum.at("standard_error"), unit, 3) + ".</p>\n" +
+    rows.push_back({escaped(choice.at("pointer").get<std::string>()), number_html(choice.at("best"), "", 6),
+                    number_html(choice.at("low"), "", 6), number_html(choice.at("high"), "", 6),
+                    choice.at("at_limit").get<bool>() ? "yes" : "no", number_html(choice.at("given"), "", 6)});
+  return "<p>The standard error there is " + number_html(optimum.at("standard_error"), unit, 3) + ".</p>\n" +
          table_html({"input", "best", "from", "to", "at a limit", "scenario's value"}, rows);
 }
 
@@ -91,13 +86,13 @@ Report plan_page(const Json& document) {
   std::string measured;
   for (const Json& quantity : plan.at("quantities"))
     measured += fmt::format("{}{} ± {}", measured.empty() ? "" : ", ", escaped(quantity.at("name").get<std::string>()),
-                            number_cell(quantity.at("standard_error"), "", 6));
+                            number_html(quantity.at("standard_error"), "", 6));
   Facts facts = {{"measured", measured},
-                 {"every", number_cell(plan.at("every_s"), "s", 6)},
-                 {"until", number_cell(plan.at("until_s"), "s", 6)},
+                 {"every", number_html(plan.at("every_s"), "s", 6)},
+                 {"until", number_html(plan.at("until_s"), "s", 6)},
                  {"rows", fmt::format("{}", count_in(plan.at("rows")))}};
   if (number_in(plan.at("correlation_time_s")).value_or(0) > 0)
-    facts.emplace_back("errors are correlated over", number_cell(plan.at("correlation_time_s"), "s", 6));
+    facts.emplace_back("errors are correlated over", number_html(plan.at("correlation_time_s"), "s", 6));
   std::string notes;
   for (const Json& note : document.at("notes")) notes += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
   page.section("plan", "Plan", facts_html(facts) + (notes.empty() ? "" : "<ul>" + notes + "</ul>\n"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What users have looked for in a scenario and there is not, by the word of their keys: what earthtop cannot do, and what it can
-/// instead. An entry goes when its key comes.
+/// Answers to keys that users have looked for in a scenario and that there are not, by their words: what earthtop cannot do, and what
+/// it can instead. An entry goes when its key comes.
 #pragma once
 
 #include "input/fields.hpp"
@@ -9,33 +9,27 @@ namespace earthtop::scenario {
 
 inline constexpr input::Wish kWishes[] = {
     {"rotor|cage",
-     "the top is one rigid body, without a rotor that turns in a cage: give mass, centre of mass and I1, I2 of the whole and, "
-     "as I3 "
-     "and spin, those of the rotor; without the Earth's rotation its axis moves as that of a rotor in a symmetric cage that "
-     "does "
-     "not turn about it"},
+     "the top is one rigid body, without a rotor that turns in a cage: give mass, centre of mass and I1, I2 of the "
+     "whole and, as I3 and spin, those of the rotor; without the Earth's rotation its axis moves as that of a "
+     "rotor in a symmetric cage that does not turn about it"},
     {"ring",
-     "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the ring of a gimbal has no mass here: add "
-     "its "
-     "moment about Up to I1 and I2"},
+     "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the ring of a gimbal has no "
+     "mass here: add its moment about Up to I1 and I2"},
     {"torsion|tape",
-     "no tape or wire with torsion carries the top: /effects/gimbal lets its level axis turn about Up freely, or with "
-     "damping_N_m_s"},
+     "no tape or wire with torsion carries the top: /effects/gimbal lets its level axis turn about Up freely, or "
+     "with damping_N_m_s"},
     {"ellipsoid",
-     "neither a solid nor the tip can be an ellipsoid: give an ellipsoid's mass and moments as mass_kg and inertia, and its "
-     "tip as a "
-     "sphere, /contact/tip_radius_m"},
+     "neither a solid nor the tip can be an ellipsoid: give an ellipsoid's mass and moments as mass_kg and inertia, "
+     "and its tip as a sphere, /contact/tip_radius_m"},
     {"rim|edge",
-     "no rim or edge rolls on the table, as that of a coin does: only a spherical tip touches it, and a run ends where the rim "
-     "would, at /contact/max_tilt_deg"},
+     "no rim or edge rolls on the table, as that of a coin does: only a spherical tip touches it, and a run ends "
+     "where the rim would, at /contact/max_tilt_deg"},
     {"camera",
-     "a scenario has no camera, and a measured angle is taken as one from Up or from North: correct the measurement for the "
-     "tilt and "
-     "the turn of the camera"},
+     "a scenario has no camera, and a measured angle is taken as one from Up or from North: correct the "
+     "measurement for the tilt and the turn of the camera"},
     {"time_offset|clock_offset",
-     "t = 0 is the release, and a scenario has no offset from it: shift the times of a measurement in its file; those of "
-     "another "
-     "program's results are shifted by /time/offset_s of a mapping"},
+     "t = 0 is the release, and a scenario has no offset from it: shift the times of a measurement in its file; "
+     "those of another program's results are shifted by /time/offset_s of a mapping"},
 };
 
 }  // namespace earthtop::scenario

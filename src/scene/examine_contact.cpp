@@ -126,8 +126,7 @@ bool check_moments(const Section& body, const Scene& scene) {
   const auto moments = [](const Mat3<double>& m) {
     return Eigen::SelfAdjointEigenSolver<Mat3<double>>(m, Eigen::EigenvaluesOnly).eigenvalues();
   };
-  const double largest = moments(top.I_BP_B)[2];
-  const double smallest = moments(top.I_BBcm_B())[0];
+  const double smallest = moments(top.I_BBcm_B())[0], largest = moments(top.I_BP_B)[2];
   if (smallest > 32 * real::epsilon<double>() * largest) return true;
   const std::string missing = missing_moments(top.I_BBcm_B());
   body.refuse(body.has("solids") ? "solids" : "inertia",

@@ -65,11 +65,11 @@ std::string estimates_text(const MeasurementReport& report, const Screen& screen
   return text;
 }
 
-/// What the estimates of the Earth's rate rest on, or the first one where there is none of these.
+/// Tells what the estimates of the Earth's rate rest on; where there is none of these, what the first one does.
 std::string exact_text(const MeasurementReport& report, const Screen& screen) {
   std::string text;
   const auto add = [&](const ParameterEstimate& e) {
-    text += exact_inputs_text(e.exact, e.name, report.scatters_more() ? *e.standard_error_scaled : *e.standard_error, screen);
+    text += exact_inputs_text(e.exact, e.name, *e.said_error(report.scatters_more()), screen);
   };
   for (const ParameterEstimate& estimate : report.estimates)
     if (estimate.finding) add(estimate);

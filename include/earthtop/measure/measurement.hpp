@@ -108,6 +108,11 @@ struct ParameterEstimate {
   std::optional<double> standard_error_scaled;
   std::optional<RateFinding> finding = {};  ///< of an estimate of the Earth's rate, with the scaled error if that is said
   std::vector<ExactInput> exact = {};       ///< inputs that were taken as exact and shift it, those that shift it most first
+
+  /// The standard error that is said with the estimate. @param by_scatter  whether the scaled one is
+  const std::optional<double>& said_error(bool by_scatter) const {
+    return by_scatter && standard_error_scaled ? standard_error_scaled : standard_error;
+  }
 };
 
 /// A standard error of the scenario's `uncertainty` block that entered the fit: the input is known beforehand to be `mean`.
