@@ -17,6 +17,11 @@ namespace {
 
 using namespace test;
 
+constexpr double kRounding = 1e-9;          // of a result of some hundred operations in double, with cancellation to six digits
+constexpr double kDouble = 1e-12;           // of a product of some doubles
+constexpr double kConverged = 0.02;         // standard errors: twice a fit's thousandth, and the linear law's second order
+constexpr double kRoughDifferences = 0.01;  // of a derivative by a rough difference, and of one at numbers a noise apart
+
 class RateFindings : public MeasurementTest {
  protected:
   /// The azimuths of a free gyroscope on an Earth that turns `times` as fast.
@@ -40,7 +45,7 @@ RateOutcome outcome_of(double estimate, double error, double known, double known
 TEST(RateFinding, HasThreeOutcomesWithOneLimit) {
   EXPECT_EQ(RateFinding::kLimit_sigma, 3);
   const double below = 0.999, above = 1.001;
-  // Of a rate of 1: zero is 3 standard errors away at 1/3.
+  // Zero is 3 standard errors away from a rate of 1 where these are 1/3.
   EXPECT_EQ(outcome_of(1, below / 3, 1, 0), RateOutcome::seen);
   EXPECT_EQ(outcome_of(1, above / 3, 1, 0), RateOutcome::not_seen);
   EXPECT_EQ(outcome_of(-1, below / 3, -1, 0), RateOutcome::seen) << "of a rate with the other sign as well";
@@ -51,7 +56,7 @@ TEST(RateFinding, HasThreeOutcomesWithOneLimit) {
     EXPECT_EQ(outcome_of(1 + sign * below * 0.15, 0.03, 1, 0.04), RateOutcome::seen) << "3 * hypot(0.03, 0.04)";
     EXPECT_EQ(outcome_of(1 + sign * above * 0.15, 0.03, 1, 0.04), RateOutcome::contradicts);
   }
-  // What excludes the known rate and not zero has seen nothing.
+  // An estimate that excludes the known rate and not zero has seen nothing.
   EXPECT_EQ(outcome_of(0, 0.01, 1, 0), RateOutcome::contradicts);
 }
 
@@ -62,8 +67,8 @@ TEST(RateFinding, IsOfTheDataAlone) {
     const double x2 = 4, w1 = 1 / (s1 * s1), w2 = 1 / (s2 * s2);
     const RateFinding both = rate_finding((w1 * x1 + w2 * x2) / (w1 + w2), 1 / std::sqrt(w1 + w2), {x2, s2}, s2);
     const RateFinding alone = rate_finding(x1, s1, {x2, s2}, {});
-    EXPECT_NEAR(both.from_zero_sigma, alone.from_zero_sigma, 1e-9 * alone.from_zero_sigma);
-    EXPECT_NEAR(both.from_known_sigma, alone.from_known_sigma, 1e-9 * (1 + std::abs(alone.from_known_sigma)));
+    EXPECT_NEAR(both.from_zero_sigma, alone.from_zero_sigma, kRounding * alone.from_zero_sigma);
+    EXPECT_NEAR(both.from_known_sigma, alone.from_known_sigma, kRounding * (1 + std::abs(alone.from_known_sigma)));
     EXPECT_TRUE(both.had_prior && !alone.had_prior);
   }
   // Data that say nothing leave the prior's value: nothing is seen, though the estimate is a thousand errors from zero.
@@ -76,9 +81,9 @@ TEST_F(RateFindings, SeeTheEarthThatIsThere) {
   const RateFinding& finding = *report.estimates[0].finding;
   EXPECT_EQ(finding.outcome(), RateOutcome::seen);
   EXPECT_TRUE(report.agrees());
-  EXPECT_NEAR(finding.known.value, kVertical45, 1e-12 * kVertical45);
-  EXPECT_NEAR(finding.known.standard_error, 1e-8 * kVertical45, 1e-13 * kVertical45);
-  EXPECT_NEAR(finding.from_zero_sigma, *report.estimates[0].estimate / *report.estimates[0].standard_error, 1e-9);
+  EXPECT_NEAR(finding.known.value, kVertical45, kDouble * kVertical45);
+  EXPECT_NEAR(finding.known.standard_error, 1e-8 * kVertical45, kRounding * 1e-8 * kVertical45);
+  EXPECT_NEAR(finding.from_zero_sigma, *report.estimates[0].estimate / *report.estimates[0].standard_error, kRounding);
   EXPECT_EQ(fitted(turning(1, 1e-2)).estimates.at(0).finding->outcome(), RateOutcome::not_seen);
   EXPECT_TRUE(fitted(turning(1, 1e-2)).agrees());
 }
@@ -106,13 +111,13 @@ TEST_F(RateFindings, KnowARateAsWellAsTheScenarioSays) {
         ->standard_error;
   };
   const double of_latitude = kOmega * std::cos(kPi / 4) * 20 * kDegree;
-  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "omega_sin_latitude_rad_s"), of_latitude, 1e-9 * of_latitude);
-  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "omega_cos_latitude_rad_s"), of_latitude, 1e-9 * of_latitude);
-  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "rotation_rate_rad_s"), 1e-8 * kOmega, 1e-12 * kOmega);
+  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "omega_sin_latitude_rad_s"), of_latitude, kRounding * of_latitude);
+  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "omega_cos_latitude_rad_s"), of_latitude, kRounding * of_latitude);
+  EXPECT_NEAR(known(R"({"latitude_deg": 20})", "rotation_rate_rad_s"), 1e-8 * kOmega, kRounding * 1e-8 * kOmega);
   const double of_rate = std::sin(kPi / 4) * 1e-6;
-  EXPECT_NEAR(known(R"({"rotation_rate_rad_s": 1e-6})", "omega_sin_latitude_rad_s"), of_rate, 1e-9 * of_rate);
+  EXPECT_NEAR(known(R"({"rotation_rate_rad_s": 1e-6})", "omega_sin_latitude_rad_s"), of_rate, kRounding * of_rate);
   EXPECT_NEAR(known(R"({"rotation_rate_rad_s": 1e-6, "latitude_deg": 20})", "omega_sin_latitude_rad_s"),
-              std::hypot(of_rate, of_latitude), 1e-9 * of_latitude);
+              std::hypot(of_rate, of_latitude), kRounding * of_latitude);
   EXPECT_EQ(known(R"({"rotation_rate_rad_s": 1e-6})", "rotation_rate_rad_s"), 1e-6);
   const MeasurementReport report = fitted(turning(1.5, 1e-5), {{"/uncertainty", R"({"latitude_deg": 20})"}});
   EXPECT_EQ(report.estimates.at(0).finding->outcome(), RateOutcome::seen);
@@ -164,7 +169,8 @@ TEST_F(RateFindings, ExactInputsShiftTheEstimateAsTheySay) {
       ASSERT_NE(found, estimate.exact.end()) << name;
       const double d = found->error_of_one_sigma(*estimate.standard_error);
       const MeasurementReport moved = fit(Overrides{{pointer, fmt::format("{}", found->value + d)}});
-      EXPECT_NEAR(*moved.estimates.at(0).estimate - *estimate.estimate, -found->shift * d, 0.02 * *estimate.standard_error)
+      EXPECT_NEAR(*moved.estimates.at(0).estimate - *estimate.estimate, -found->shift * d,
+                  kConverged * *estimate.standard_error)
           << name << " of " << c.estimates[0];
       ++compared;
     }
@@ -196,7 +202,7 @@ TEST_F(RateFindings, ThePlanSaysTheSame) {
   for (const ExactInput& input : of_plan) {
     const auto same = std::ranges::find(of_fit, input.name, &ExactInput::name);
     ASSERT_NE(same, of_fit.end()) << input.name;
-    EXPECT_NEAR(input.shift, same->shift, 0.01 * std::abs(input.shift)) << input.name;
+    EXPECT_NEAR(input.shift, same->shift, kRoughDifferences * std::abs(input.shift)) << input.name;
     EXPECT_EQ(same->stated.has_value(), input.name == "center_of_mass_m");
     EXPECT_TRUE(input.name != "omega_sin_latitude_rad_s" && input.name != "spin_rad_s");
   }
@@ -206,7 +212,8 @@ TEST_F(RateFindings, ThePlanSaysTheSame) {
     const auto input = std::ranges::find(of_plan, name, &ExactInput::name);
     return input->error_of_one_sigma(1) / input->value;
   };
-  EXPECT_NEAR(part("gravity_m_s2"), part("center_of_mass_m"), 1e-3 * part("gravity_m_s2"));
+  EXPECT_NEAR(part("gravity_m_s2"), part("center_of_mass_m"), 0.1 * kRoughDifferences * part("gravity_m_s2"))
+      << "both act as their product";
 }
 
 /// The wrong input is among those that are named, and with its error put right the Earth is seen. An azimuth's offset, which would
@@ -223,7 +230,8 @@ TEST_F(RateFindings, NameTheInputThatIsWrong) {
   const std::vector<InputError>& culprits = report.estimates[0].finding->culprits;
   const auto gravity = std::ranges::find(culprits, "gravity_m_s2", &InputError::name);
   ASSERT_NE(gravity, culprits.end());
-  EXPECT_NEAR(gravity->error, 9.808 - 9.80665, 0.05 * 0.00135);
+  constexpr double kNoise = 0.05;  // of the error: the data's noise, and second order
+  EXPECT_NEAR(gravity->error, 9.808 - 9.80665, kNoise * 0.00135);
   EXPECT_EQ(std::ranges::find(culprits, "/release/azimuth_deg", &InputError::name), culprits.end());
   const auto mended = compare_with_measurement(
       shipped("toy-top"), {{"/site/gravity_m_s2", fmt::format("{}", 9.80665 + gravity->error)}}, read(*data), options);

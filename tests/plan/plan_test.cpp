@@ -129,7 +129,8 @@ TEST(Plan, StatedUncertaintiesArePriors) {
   ASSERT_EQ(rate.notes.size(), 1u);
   EXPECT_EQ(rate.notes[0],
             "the stated uncertainty of latitude_deg says how well omega_sin_latitude_rad_s is known; it is no datum");
-  EXPECT_NEAR(rate.estimates[0].finding->known.standard_error, kVertical45 * kDegree, 1e-6 * kVertical45 * kDegree);
+  constexpr double kProduct = 1e-6;  // far above the rounding of a product, and far below an error of the rate's own
+  EXPECT_NEAR(rate.estimates[0].finding->known.standard_error, kVertical45 * kDegree, kProduct * kVertical45 * kDegree);
 }
 
 /// The spin may be given as a rate about body axis 3; a quaternion has no tilt that could be changed.
