@@ -150,7 +150,7 @@ std::string_view why_left_out(const SummaryMember& member, const std::string& pa
     first_s = std::min(first_s, side->number(beside + std::string(member.event_time)).value_or(first_s));
     error_s = std::max(error_s, side->number(beside + std::string(member.event_bound)).value_or(0));
   }
-  // What an event has to do with another one is known only where that is in the shorter run, too.
+  // A figure that joins two events is known only where both are in the shorter run.
   const bool is_known =
       member.kind != FigureKind::derived || (longer.end.reference_goes_on ? candidate : reference).number(pointer);
   return is_known && first_s + error_s < longer.end.t_s ? "" : kNoEvent;

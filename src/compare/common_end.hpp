@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What two runs of unlike lengths have in common: all of it lies before the end of the shorter one.
+/// Finds what two runs of unlike lengths have in common: all of it lies before the end of the shorter one.
 #pragma once
 
 #include <optional>

@@ -35,7 +35,7 @@ std::string told(const QuantityVerdict& quantity) {
   return text;
 }
 
-/// What part of its tolerance a quantity uses where its difference is largest and, where that is more, elsewhere.
+/// Says which part of its tolerance a quantity uses where its difference is largest and, where that is more, elsewhere.
 std::string share_words(const QuantityVerdict& quantity) {
   constexpr double kRounding = 1e-9;
   if (quantity.origin.starts_with("a factor of"))
@@ -49,7 +49,7 @@ std::string share_words(const QuantityVerdict& quantity) {
   return told_share(here) + (is_elsewhere ? fmt::format(", but {} elsewhere", told_share(quantity.share)) : "");
 }
 
-/// What differs, or how near the two are to that.
+/// Says which quantities differ, or how near the two results are to that.
 std::string what_was_found(const PairReport& pair) {
   std::vector<const QuantityVerdict*> beyond, without;
   const QuantityVerdict* nearest = nullptr;

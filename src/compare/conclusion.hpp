@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a comparison found, in sentences: the same in the terminal, in the document and on the page.
+/// Writes the findings of a comparison in sentences: the same in the terminal, in the document and on the page.
 #pragma once
 
 #include <string>

@@ -327,7 +327,7 @@ void finish_update_in(const fs::path& directory) {
   if (!is_there(stage)) return;
   const auto has_begun = [&] { return is_there(stage / kJournal) || is_there(stage / kUndo); };
   if (!has_begun()) {
-    // What is put together there may belong to a process that is alive, and changes nothing yet.
+    // The files that are put together there may belong to a process that is alive, and change nothing yet.
     const DirectoryLock lock(directory, DirectoryLock::Mode::exclusive, {}, std::chrono::seconds(0));
     if (!lock.is_held() || has_begun()) return;
     try {

@@ -16,7 +16,7 @@
 
 namespace earthtop::compare {
 
-/// What tells one version of a file from another: times are in nanoseconds, and all is 0 where there is no such file.
+/// The signs that tell one version of a file from another: times are in nanoseconds, and all is 0 where there is no such file.
 struct FileIdentity {
   std::uint64_t device = 0, inode = 0;
   std::int64_t size = 0, modified_ns = 0, changed_ns = 0;

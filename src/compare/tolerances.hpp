@@ -30,7 +30,7 @@ struct Tolerance {
   std::string origin;
 };
 
-/// What an interpolation adds to a tolerance, in words.
+/// Writes the part of a tolerance that an interpolation adds.
 std::string interpolation_words(double error);
 
 /// The part of a tolerance that does not change from row to row: the largest of absolute, relative and effect.

@@ -21,7 +21,7 @@ std::vector<Doubted> doubts_of(const Comparand& side, double end_s);
 /// Whether the verdict says of the motion that it magnifies rounding, and with it any difference of two runs.
 bool magnifies_rounding(const Comparand& side);
 
-/// What two runs' verdicts trust together, up to a common end.
+/// The times that two runs' verdicts trust together, up to a common end.
 struct Trust {
   std::vector<Doubted> doubts;  ///< of either, joined
   std::string fault;            ///< in words, where one verdict trusts far less than the other one; else empty

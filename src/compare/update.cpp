@@ -261,7 +261,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
     written.push_back((reference / place).string());
     all.push_back({place, path, kind});
   }
-  // What has been rewritten since it was read is read again, until all of the results have been there together.
+  // A result that has been rewritten since it was read is read again, until all of them have been there together.
   constexpr int kAttempts = 4;
   bool has_changed = true;
   for (int attempt = 1; has_changed && attempt <= kAttempts; ++attempt) {

@@ -54,7 +54,7 @@ struct Field {
   std::string_view parent() const { return pointer.substr(0, pointer.rfind('/')); }
 };
 
-/// What users look for and a kind of file does not have: the answer to an unknown key that has one of the words.
+/// A wish that a kind of file does not meet: the answer to an unknown key that has one of the words.
 struct Wish {
   std::string_view words;     ///< separated by '|'; one of several parts, "time_offset", must be in the key as a whole
   std::string_view sentence;  ///< what there is not, and what to use instead

@@ -36,7 +36,7 @@ class Descriptor {
   int descriptor_;
 };
 
-/// What a path leads to, links followed. `other` is a FIFO, a device, or a link that leads nowhere.
+/// The kind of file that a path leads to, links followed. `other` is a FIFO, a device, or a link that leads nowhere.
 enum class PathType { nothing, file, directory, other };
 /// @throws ScenarioError where permissions or circular links forbid looking; ReadError where the disk does not say
 PathType type_of(const std::string& path);

@@ -14,7 +14,7 @@ inline constexpr std::size_t kLargestText = std::size_t{16} << 20;  // bytes
 inline constexpr int kGreatestDepth = 64;
 inline constexpr std::size_t kMostValues = 200'000;  // keeps the tree of a hostile 16 MiB file below 256 MiB
 
-/// What a kind of JSON text is called in messages, and what it may have.
+/// The name of a kind of JSON text in messages, and its limits.
 struct TextKind {
   std::string_view noun = "scenario";
   std::size_t most_bytes = kLargestText;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What an estimate says and rests on, in the documents of comparisons and of plans.
+/// Writes what an estimate says and rests on into the documents of comparisons and of plans.
 #pragma once
 
 #include <nlohmann/json.hpp>

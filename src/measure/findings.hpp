@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the estimates of a fit say of the Earth's rate, and what they rest on.
+/// Finds what the estimates of a fit say of the Earth's rate, and on which inputs they rest.
 #pragma once
 
 #include <cstddef>

@@ -44,7 +44,7 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift);
 
 bool has_drifts(const Measurement& measurement);
 
-/// What a run says of the motion to a time.
+/// The verdict of a run on the motion to a time.
 struct JudgedMotion {
   RunStatus status = RunStatus::completed;  ///< or the reason why there is no verdict
   double reached_s = 0;                     ///< less than the time where an event on the table ends the motion

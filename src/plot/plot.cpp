@@ -150,7 +150,7 @@ void include_y(Range& range, const Line& line, AxisScale x_scale, AxisScale y_sc
   if (line.style == LineStyle::bars && y_scale == AxisScale::linear) range.include(0);
 }
 
-/// What a panel needs above and for itself.
+/// The room that a panel needs above and for itself.
 struct PanelRoom {
   const Panel* panel;
   Range range;  ///< of its values of y
@@ -168,7 +168,7 @@ struct PanelRoom {
     caption = lines_of(earthtop::caption(drawn.y, map_y(0, 1).axis), sheet.caption_characters, sheet.most_lines);
   }
   Mapping map_y(double floor, double top) const { return map_axis(range, panel->y.scale, false, 6, floor, top); }
-  /// What the panel has above it beyond the room for a caption of one line (px).
+  /// The room above the panel beyond that for a caption of one line (px).
   double above() const { return legend.height() + kLineHeight * static_cast<double>(caption.size() - 1); }
 };
 

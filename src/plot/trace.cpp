@@ -62,7 +62,7 @@ std::vector<Reach> dense_parts(std::span<const Numbered> piece) {
     else
       parts.push_back({begin, end});
   }
-  // What is left at the ends of the piece, less than a column, is part of the band.
+  // The rests at the ends of the piece, less than a column, are part of the band.
   if (!parts.empty() && x(parts.front().begin) - x(0) < kColumn) parts.front().begin = 0;
   if (!parts.empty() && x(piece.size() - 1) - x(parts.back().end) < kColumn) parts.back().end = piece.size() - 1;
   std::erase_if(parts, [&](const Reach& part) { return x(part.end) - x(part.begin) < kLeastBand; });

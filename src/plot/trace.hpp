@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What of a line is drawn: its points, or, where it swings faster than pixels can show, a band from its least to its largest value.
+/// Chooses how a line is drawn: its points, or, where it swings faster than pixels can show, a band from its least to its largest value.
 #pragma once
 
 #include <string_view>
@@ -10,7 +10,7 @@
 
 namespace earthtop {
 
-/// What the legend adds to the label of a line that shows a band.
+/// The words that the legend adds to the label of a line that shows a band.
 inline constexpr std::string_view kBandWords = " (band: least to most)";
 
 struct PlotPoint {

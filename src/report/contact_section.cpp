@@ -56,7 +56,7 @@ std::string path_table(const Run& run) {
 }
 
 std::string path_html(const Run& run, Page& page) {
-  // Of windows the mean is drawn: a path through all their looks would join what is not known.
+  // The mean of each window is drawn: a path through all their looks would join what is not known.
   const Motion& motion = run.drawn.a_window > 0 ? run.played : run.drawn;
   PathPicture picture;
   picture.name = "path";

@@ -58,7 +58,7 @@ bool has_azimuths(const Motion& motion, const std::vector<double>& azimuth) {
          std::all_of(azimuth.begin(), azimuth.end(), [](double a) { return std::isfinite(a); });
 }
 
-/// What is left of azimuths beside a line.
+/// Returns the azimuths less those of a line.
 std::vector<double> beside_line(const Motion& motion, double rate, double offset) {
   std::vector<double> rest = values(motion, "drift_azimuth_rad");
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= offset + rate * motion.rows[i].t_s;

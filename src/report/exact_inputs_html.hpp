@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a result rests on, on the pages of comparisons and of plans.
+/// Shows the inputs on which a result rests, on the pages of comparisons and of plans.
 #pragma once
 
 #include <string>

@@ -81,7 +81,7 @@ Json frame_json(const PlotFrame& frame) {
           {"y_min", frame.y_low},  {"y_max", frame.y_high},          {"y_scale", word(frame.y_scale)}};
 }
 
-/// What a chart needs to find the values under a pointer, without the values.
+/// Returns the part of a chart, without its values, with which the page finds the values under a pointer.
 Json plot_json(const Figure& figure) {
   return {{"x_unit", figure.x.unit},
           {"x_label", figure.x.label},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What of a run's motion its page draws: looks that resolve the motion, or, where there are none, output rows.
+/// Chooses what a run's page draws of the motion: looks that resolve it, or, where there are none, output rows.
 #pragma once
 
 #include <cstddef>

@@ -87,7 +87,7 @@ struct SummaryMember {
   /// none.
   bool of_scenario = false;
   std::string_view of_row = "";  ///< of a figure of the end: the quantity of the last row that it is; empty where it is none
-  /// Of an event's figure: the members beside it with the time of the event and the bound on that.
+  /// For a figure of an event, the members beside it with the event's time and the bound on that.
   std::string_view event_time = "", event_bound = "";
   /// The member beside it that states its error or the size of what it is made of. A value of zero has no size of its own.
   std::string_view sized_by = "";

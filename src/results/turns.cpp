@@ -11,7 +11,7 @@ namespace earthtop {
 namespace {
 
 constexpr std::size_t kNodes = 9;  // of the polynomial: with twelve points a period its error is 3e-7 of the swing
-/// What the polynomial cannot tell from zero: a share of the largest of its nodes.
+/// A value that the polynomial cannot tell from zero, as a share of the largest of its nodes.
 constexpr double kLeast = 1e-6;
 
 /// The values at which Lagrange's polynomial through points at 0, 1, 2, ... weighs them.

@@ -55,7 +55,7 @@ void nudge_contact(Contact<T>& contact, T unit) {
   viscosity *= T(1) + unit, coefficient *= T(1) + unit, patch_radius *= T(1) - unit;
 }
 
-/// What of a release is nudged: each component by itself, or attitude and rate as a whole, so that a component that is small, or
+/// The parts of a release that are nudged: each component by itself, or attitude and rate as a whole, so that a component that is small, or
 /// exactly zero, changes by units of the largest one.
 enum class Nudged { components, whole };
 

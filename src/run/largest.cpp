@@ -60,7 +60,7 @@ std::vector<Piece> pieces_of(std::span<const double> values) {
   return pieces;
 }
 
-/// What a parabola through a look and its neighbours rises to above the look.
+/// Returns how far a parabola through a look and its neighbours rises above the look.
 double rise(std::span<const double> values, const Piece& piece, std::size_t i) {
   if (i == piece.begin || i + 1 == piece.end) return 0;
   const double slope = (values[i + 1] - values[i - 1]) / 2, bend = 2 * values[i] - values[i + 1] - values[i - 1];

@@ -42,7 +42,7 @@ struct Sought {
     const double part = kind == Kind::length ? x / scale : real::sin(x / 2) / real::sin(scale / 2);
     return part * part;
   }
-  /// What the largest value is at least, whatever the error of the polynomial.
+  /// The size that the largest value has at least, whatever the error of the polynomial.
   double least_known() const { return largest->value - largest->error; }
   /// Takes the largest value of the smooth function back to the quantity.
   Largest back(Largest found) const {

@@ -17,7 +17,7 @@ using LookAt = std::function<std::vector<DriftRow>(std::vector<double>)>;
 /// The same in the run's own precision.
 using ExactLookAt = std::function<std::vector<ExtendedDriftRow>(std::vector<double>)>;
 
-/// What the search for largest values needs besides the looks that a result has.
+/// The numbers that the search for largest values needs besides the looks of a result.
 struct LookSource {
   LookAt look;        ///< in double precision, for a search in smaller windows
   ExactLookAt exact;  ///< by the integration of the rows, for the value itself

@@ -14,7 +14,7 @@
 
 namespace earthtop {
 
-/// What a look is for.
+/// The purpose of a look.
 enum class LookFor : std::uint8_t { row = 1, judgement = 2, trend = 4, picture = 8 };
 
 /// Times of looks, ascending, and what each of them is for.

@@ -110,7 +110,7 @@ RunResult run_in(const Scene& scene, const RunOptions& run_options) {
       made.other_options = *looser;
       integrate_second();
     }
-  // What long_horizon states is what a second integration by itself would not see. A series sees all of it.
+  // The error that long_horizon states is the part that a second integration by itself would not see. A series sees all of it.
   if (made.options.method == Method::long_horizon && made.other_options.method == Method::taylor)
     for (DriftSample<T>& sample : made.first.samples) sample.drift_error = sample.attitude_error = T(0);
   return assemble_result(scene, std::move(made), seconds, parts, run_options);

@@ -27,7 +27,7 @@ SeenMotion look_at_motion(const Scene& scene, double until_s, double checked_s, 
   std::vector<double> last_s;
   if (plan.looks_a_window > 0)
     for (int k = kLastLooks; k >= 0; --k) last_s.push_back(until_s - k * plan.step_s);
-  // What these looks are for has no names of their own: those of a run's looks tell them apart.
+  // The purposes of these looks have no names of their own: those of a run's looks tell them apart.
   constexpr LookFor kChecked = LookFor::row, kLast = LookFor::trend;
   Looks looks;
   looks.add(plan.times_s, LookFor::picture);

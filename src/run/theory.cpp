@@ -212,7 +212,7 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
     mean_sin2 += (R_LB(0, 2) * R_LB(0, 2) + R_LB(1, 2) * R_LB(1, 2)) / kSteps;
   }
   if (!of_one) {
-    // Of second order in the horizontal part of the Earth's rate, over the slow rate. The factor was found by counting over 183 tops,
+    // The term is of second order in the horizontal part of the Earth's rate, over the slow rate. The factor was found by counting over 183 tops,
     // most of them pendulums, whose ellipse turns slowly; so was how much more than one window the windows leave open.
     constexpr double kOfSecondOrder = 0.15, kUnseenOfTwo = 10;
     return {kOfSecondOrder * across * across * mean_sin2 / std::abs(beat_of_two), std::abs(beat_of_two), kUnseenOfTwo};

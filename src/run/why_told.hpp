@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the sentences on all kinds of tops have in common.
+/// Common parts of the sentences on all kinds of tops.
 #pragma once
 
 #include <fmt/core.h>
@@ -23,7 +23,7 @@ namespace earthtop::why {
 /// A component of the Earth's rate that is less than this part of it is rounding.
 inline constexpr double kNone = 1e-9;
 
-/// What the sentences on a run have in common.
+/// The run that sentences are about, and the sentences told so far.
 struct Told {
   const RunResult& result;
   const Scene& scene;

@@ -45,7 +45,7 @@ RowSeconds seconds_a_row(Precision precision) {
   return precision == Precision::bits53 ? RowSeconds{7e-7, 1e-6} : RowSeconds{3e-5, 1e-4};
 }
 
-/// What dies out too fast on a table, and what to take instead, by the key of the friction.
+/// Names the motion that dies out too fast on a table and what to take instead, by the key of the friction.
 std::pair<std::string_view, std::string_view> stiff_on_table(std::string_view pointer) {
   if (pointer == "/contact/regularisation_m_s") return {"slip", "a larger regularisation or a shorter duration"};
   if (pointer == "/contact/patch_radius_m") return {"slip", "a larger patch or a shorter duration"};

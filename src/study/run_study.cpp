@@ -142,7 +142,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
   if (error) fail_to_write(file, error.value());
 }
 
-/// What is wrong with the store of a study; empty where nothing is, or where there is no store of this study.
+/// Says what is wrong with the store of a study; empty where nothing is, or where there is no store of this study.
 std::string damage_of(const fs::path& file, const Study& study) {
   std::error_code error;
   if (!fs::exists(file, error) || is_blank(file)) return "";

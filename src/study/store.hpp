@@ -18,7 +18,7 @@
 
 namespace earthtop::study {
 
-/// What a check of a store found.
+/// The findings of a check of a store.
 struct StoreCheck {
   bool has_checksums = true;           ///< false: a store from before there were checksums, of which nothing is known
   std::vector<std::uint64_t> damaged;  ///< numbers of the points whose row is not what was stored

@@ -68,7 +68,7 @@ class Threads : public Workforce {
   }
 
  private:
-  /// What a thread does. An exception, for want of memory, ends it and waits for `collect`.
+  /// The work of a thread. An exception, for want of memory, ends it and waits for `collect`.
   void work() noexcept {
     try {
       while (compute_next()) {

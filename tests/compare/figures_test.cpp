@@ -106,7 +106,7 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
         << member.path;
 }
 
-/// What the table says of each member that is not compared is true of it.
+/// The reason that the table gives for each member that is not compared is true of it.
 TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
   const auto under = [](std::string_view path, std::initializer_list<std::string_view> places) {
     return std::any_of(places.begin(), places.end(), [&](std::string_view place) { return path.starts_with(place); });

@@ -130,7 +130,7 @@ TEST(UnlikeLengths, AgreeInWhatBothHave) {
   }
 }
 
-// What is compared is still held to its tolerance, on either side.
+// Compared figures are still held to their tolerances, on either side.
 TEST(UnlikeLengths, DifferInWhatBothHave) {
   Lengths top("toy-top");
   const fs::path brief = top.lasting("2", "0.1"), longer = top.lasting("5", "0.1");

@@ -59,7 +59,7 @@ std::vector<std::string> with(std::vector<std::string> seeds, std::vector<std::s
 
 }  // namespace
 
-/// What is accepted is a scenario whose canonical form decodes to itself. Further parts are --set pairs.
+/// An accepted input is a scenario whose canonical form decodes to itself. Further parts are --set pairs.
 void enter_scenario(std::string_view input) {
   const auto parts = parts_of(input);
   std::vector<std::pair<std::string, std::string>> sets;
@@ -82,7 +82,7 @@ std::vector<std::string> scenario_seeds() {
   return with(std::move(seeds), hostile_texts());
 }
 
-/// What is accepted is a table whose spline has bounded accelerations, and that reads back from its text.
+/// An accepted input is a table whose spline has bounded accelerations, and that reads back from its text.
 void enter_angle_table(std::string_view input) {
   const auto parsed = scenario::parse_angle_table(input, 1);
   if (const auto* fault = std::get_if<scenario::TableFault>(&parsed)) {
@@ -106,7 +106,7 @@ std::vector<std::string> angle_table_seeds() {
   return {table, "t_s,angle_rad\n0,0\n1,1e-3\n2,1e300\n3,-1e-300"};
 }
 
-/// What is accepted can be kept in a store, which then holds the same study.
+/// An accepted input can be kept in a store, which then holds the same study.
 void enter_study(std::string_view input) {
   const std::string text(input);
   Study study;
@@ -144,7 +144,7 @@ std::vector<std::string> study_seeds() {
   return with(std::move(seeds), hostile_texts());
 }
 
-/// What is accepted names the columns of a motion in proper axes.
+/// An accepted input names the columns of a motion in proper axes.
 void enter_mapping(std::string_view input) {
   Scratch::empty();
   const std::string file = Scratch::write("mapping.json", input);
@@ -177,7 +177,7 @@ constexpr const char* kForeignRows =
 
 std::vector<std::string> mapping_seeds() { return with({kMapping, kPlainMapping, "{}"}, hostile_texts()); }
 
-/// What is accepted reads back from the same tolerances, written anew.
+/// An accepted input reads back from the same tolerances, written anew.
 void enter_tolerances(std::string_view input) {
   Scratch::empty();
   const std::string file = Scratch::write("tolerances.json", input);
@@ -216,7 +216,7 @@ std::vector<std::string> tolerances_seeds() {
               hostile_texts());
 }
 
-/// What is accepted has finite values with positive errors in the order of their times, and reads back from its values.
+/// An accepted input has finite values with positive errors in the order of their times, and reads back from its values.
 void enter_measurement(std::string_view input) {
   Measurement read;
   if (!accepts([&] { read = parse_measurement("fuzz.csv", std::string(input)); })) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What must hold at every door: how inputs are refused, and what outputs look like.
+/// The properties that must hold at every door: how inputs are refused, and what outputs look like.
 #pragma once
 
 #include <filesystem>

@@ -92,7 +92,7 @@ std::vector<std::string> results_seeds() {
           Fixture::get().content("results/summary.json") + between + files.trajectory + between + files.torques};
 }
 
-/// What is accepted can be compared, and written again as a reference with the same rows.
+/// An accepted input can be compared, and written again as a reference with the same rows.
 void enter_reference(std::string_view input) {
   with_and_without_checksum(std::string(input), [&](const std::string& text) {
     Scratch::empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is said of the whole motion does not depend on the output rows, and is true of the motion.
+/// Statements on the whole motion do not depend on the output rows, and are true of the motion.
 #include <gtest/gtest.h>
 
 #include <algorithm>

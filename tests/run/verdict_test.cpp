@@ -153,7 +153,7 @@ void turn_out(Scenario& scenario, double tilt_deg, double azimuth_deg, double sp
   scenario.release.spin_rad_s = spin_rad_s;
 }
 
-// What the Earth has done is the drift itself, not what the growth of some other disturbance would make of it.
+// The drift itself is what the Earth has done, not what the growth of some other disturbance would make of it.
 TEST(Verdict, TheEarthsDisturbanceHasGrownWhenTheDriftHas) {
   Scenario passes = given_top(4.07761, 0.012117, {0.00770267, 0.0187794, 0.0184162}, 4.13408, 1.0288);
   turn_out(passes, 42.772, 157.27, 265.09, -2.24801);

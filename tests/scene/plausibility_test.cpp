@@ -87,7 +87,7 @@ TEST(Plausibility, GramsMillimetresAndRevolutions) {
   expect_no_warning({{"/body", all_wrong("[30, 30, 40]")}, {"/release/spin_rad_s", "0"}});
   expect_no_warning({{"/body", all_wrong("[30, 30, 40]")}, {"/release/spin_rad_s", "0.5"}});
   expect_no_warning({{"/body", all_wrong("[300, 300, 400]")}, {"/release/spin_rad_s", "20"}});
-  // What cannot be noticed, as the manual says.
+  // These mistakes cannot be noticed, as the manual says.
   expect_no_warning({{"/release/tilt_deg", "0.35"}});
   expect_no_warning({{"/release/spin_rad_s", "3000"}});
   expect_no_warning({{"/release/spin_rpm", "40"}});

@@ -13,7 +13,7 @@
 
 namespace earthtop::testing {
 
-/// What stands between two texts.
+/// The text between two texts.
 inline std::string between(const std::string& text, const std::string& from, const std::string& to) {
   const std::size_t begin = text.find(from) + from.size();
   return text.substr(begin, text.find(to, begin) - begin);

@@ -25,7 +25,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// What was counted over the tops of a kind.
+/// The counts over the tops of a kind.
 struct Counted {
   std::string kind;
   int tops = 0, inside = 0, inside_both = 0, longer_knows_less = 0;

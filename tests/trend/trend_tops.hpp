@@ -11,7 +11,7 @@
 
 namespace earthtop::testing {
 
-/// What is drawn, one after the other. `any`: standing or hanging, slow or fast, symmetric or not, on an Earth that turns up to
+/// The kinds of tops that are drawn, one after the other. `any`: standing or hanging, slow or fast, symmetric or not, on an Earth that turns up to
 /// 1000 times as fast as the real one. The others are what people have at hand, three in four on the real Earth: `toy` and
 /// `gyro`, a disc on a stick; `hanging`, the same below its pivot; `pendulum`, a bob that hardly spins; `upright`, within five
 /// degrees of the vertical; `one_turn` of precession or little more, and `many_turns`, 30 to 400; `asymmetric`, with three

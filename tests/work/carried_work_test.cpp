@@ -14,7 +14,7 @@ namespace {
 
 /// How far the steps of an estimate and those of a run may be apart.
 constexpr double kWithin = 1.5;
-/// Of so few steps the share that one makes is no matter of an estimate.
+/// An estimate need not tell the share that one of so few steps makes.
 constexpr double kFewSteps = 10;
 
 void expect_steps(const testing::WorkDone& done) {

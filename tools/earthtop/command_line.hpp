@@ -69,7 +69,7 @@ struct CommandExample {
   std::string purpose;
 };
 
-/// What an exit status means of one verb.
+/// The meaning of an exit status of one verb.
 struct VerbStatus {
   ExitStatus status;
   std::string meaning;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a result rests on, for the terminal.
+/// Shows the inputs on which a result rests, for the terminal.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@
 namespace earthtop::tool {
 namespace {
 
-/// What is said, and the same as it is written. Before the second is prepared, the first is written as it is.
+/// The message, and the same as it is written. Before the second is prepared, the first is written as it is.
 struct LastWords {
   const char* said;
   const std::string* written = nullptr;  // never freed: it may be needed while the program ends

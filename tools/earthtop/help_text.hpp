@@ -9,7 +9,7 @@ namespace earthtop::tool {
 
 struct NamedVerb;
 
-/// What --help prints about a verb: what it does, its operands and options, examples and exit statuses. About the program: its
+/// Writes what --help prints about a verb: what it does, its operands and options, examples and exit statuses. About the program: its
 /// verbs in groups, commands to begin with, and all exit statuses.
 /// @param width  columns of a line
 std::string help_text(const NamedVerb& named, std::size_t width);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is said of an option, in help and manual alike.
+/// Describes an option, in help and manual alike.
 #pragma once
 
 #include <string>

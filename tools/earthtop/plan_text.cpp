@@ -94,7 +94,7 @@ std::string variations_text(const PlanReport& report) {
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
 }
 
-/// What a standard error is that is smaller than now by a factor, which may be less than 1.
+/// Compares a standard error with the present one, than which it is smaller by a factor that may be less than 1.
 std::string against_now(double gain) {
   const std::string times = fmt::format("{:.3g}", std::max(gain, 1 / gain));
   return times == "1" ? "as large as now" : fmt::format("{} times {} than now", times, gain < 1 ? "larger" : "smaller");

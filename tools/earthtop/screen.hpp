@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What standard output is written on: how wide it is, and whether it shows colours.
+/// The screen that standard output is written on: how wide it is, and whether it shows colours.
 #pragma once
 
 #include <cstddef>

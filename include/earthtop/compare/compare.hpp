@@ -147,7 +147,7 @@ struct CompareReport {
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options);
 
-/// What was found, in sentences, the most important one first: how many quantities failed, which one most and by how much, what
+/// Writes the findings in sentences, the most important one first: how many quantities failed, which one most and by how much, what
 /// else is wrong, and whether both error bounds explain the changes.
 std::vector<std::string> comparison_conclusion(const CompareReport& report);
 /// As JSON ("earthtop-comparison-1.json") with a final newline.

@@ -104,7 +104,7 @@ struct DriftSummary {
   std::optional<double> threshold_time_bound_s;               ///< bound on that time's error; only for a clear crossing
   std::optional<ThresholdCrossing> threshold_crossing;        ///< none where no threshold is asked for
   std::optional<double> tip_final_m, tip_max_m, tip_bound_m;  ///< of a top on a table
-  // Of the largest drifts: the time at which each is reached, and the bound on its error.
+  // Each of the largest drifts has the time at which it is reached, and the bound on its error.
   double axis_max_at_s = 0;
   double axis_max_bound_rad = 0;
   /// The largest sizes of the drift's parts; of the azimuth none where an axis is vertical all the time.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What an estimate of the Earth's rate, or of a component of it, says: the only numbers of which zero means something, that the
+/// Judges an estimate of the Earth's rate, or of a component of it: the only numbers of which zero means something, that the
 /// Earth does not turn. Their limits are here and nowhere else.
 #pragma once
 
@@ -27,15 +27,15 @@ struct KnownRate {
 };
 
 struct RateFinding {
-  /// What is at least so many standard errors away is excluded: by chance alone one result in 370 is.
+  /// A value that is at least so many standard errors away is excluded: by chance alone one result in 370 is.
   static constexpr double kLimit_sigma = 3;
 
   KnownRate known;
   double from_zero_sigma = 0;   ///< the estimate in its standard errors, without sign
   double from_known_sigma = 0;  ///< estimate minus known rate, in standard errors of that difference
   bool had_prior = false;       ///< whether what was known beforehand is in the estimate; the other members are without it
-  /// Of a measurement that contradicts: the errors of inputs taken as exact that would do it, each by itself, and that its
-  /// residuals do not exclude; those first whose inputs shift the estimate most.
+  /// Where a measurement contradicts, the errors of inputs taken as exact that would do it, each by itself, and that its residuals
+  /// do not exclude; those first whose inputs shift the estimate most.
   std::vector<InputError> culprits = {};
 
   RateOutcome outcome() const;

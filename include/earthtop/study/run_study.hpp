@@ -74,7 +74,7 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options);
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force);
 
-/// What a check of a store finds: whether every point is what was stored, and none is missing.
+/// The findings of a check of a store: whether every point is what was stored, and none is missing.
 struct StudyStoreCheck {
   std::string damage;         ///< what is wrong, with the numbers of the points, and the remedy; empty where nothing is
   bool has_checksums = true;  ///< false: a store from before points were stored with checksums, of which nothing is known

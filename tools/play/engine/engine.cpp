@@ -98,7 +98,7 @@ std::string run_json(std::string_view scenario) {
                      pictures_json(result, summary), warnings);
 }
 
-/// What the page asks for, or the error that came of it.
+/// The answer to what the page asks for, or the error that came of it.
 template <class Function>
 const char* kept(Function&& answer) {
   static std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the engine leaves out, in place of the core's own sources: numbers of more than 53 bits, whose integrators would double the
+// The parts that the engine leaves out, in place of the core's own sources: numbers of more than 53 bits, whose integrators would double the
 // engine's size and which WebAssembly computes in software; and the places of the Sun and the Moon, since ERFA is a compiled library.
 #include "left_out.hpp"
 

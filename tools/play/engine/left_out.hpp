@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the engine leaves out, and why.
+/// The parts that the engine leaves out, and why.
 #pragma once
 
 namespace earthtop::play {

@@ -19,7 +19,7 @@ using report::Json, report::Run;
 
 constexpr std::size_t kMostRows = 2000;  // that are drawn where there are no looks
 
-/// What stands in for looks: the rows of a run that was stopped before it looked.
+/// The rows of a run that was stopped before it looked stand in for looks.
 void take_rows(Run& run, const RunResult& result) {
   std::vector<DriftRow> rows;
   const std::size_t stride = result.rows.size() / kMostRows + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the page draws of a run: the same as the run's own page.
+/// Chooses what the page draws of a run: the same as the run's own page.
 #pragma once
 
 #include <string>

@@ -54,7 +54,7 @@ py::array array_of(RowArray&& array, const py::capsule& result) {
   return kept.words.empty() ? places.attr("view")("bool") : std::move(places);
 }
 
-/// What the arrays are: list of (name, array, meaning, columns, words).
+/// Describes the arrays: list of (name, array, meaning, columns, words).
 py::list described(std::vector<RowArray>&& arrays, const SharedResult& result) {
   const py::capsule owner = keeper(result);
   py::list list;
@@ -67,7 +67,7 @@ py::list described(std::vector<RowArray>&& arrays, const SharedResult& result) {
   return list;
 }
 
-/// What arrays there can be: list of (name, components, meaning, columns, words, whether it is a flag).
+/// Describes all arrays that there can be: list of (name, components, meaning, columns, words, whether it is a flag).
 py::list kinds(const std::vector<RowArray>& arrays) {
   py::list list;
   for (const RowArray& array : arrays)
