@@ -7,7 +7,7 @@
 #include "earthtop/bench/comparison.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "results/csv.hpp"
-#include "text/json.hpp"
+#include "results/seal.hpp"
 
 namespace earthtop {
 namespace {
@@ -135,7 +135,7 @@ std::string bench_json(std::span<const BenchReport> reports) {
                          {"processor", processor_description()},
                          {"peers", peers_description()},
                          {"scenarios", std::move(list)}};
-  return written_replacing(document, 2) + '\n';
+  return sealed_document(document);
 }
 
 }  // namespace earthtop

@@ -15,6 +15,7 @@
 #include "input/file.hpp"
 #include "results/directory_lock.hpp"
 #include "results/file_set.hpp"
+#include "results/number_ranges.hpp"
 #include "results/seal.hpp"
 
 namespace earthtop::compare {
@@ -58,17 +59,20 @@ Comparand open_results(const fs::path& directory) {
   Comparand results;
   results.path = directory;
   const fs::path file = directory / "summary.json";
-  results.summary = read_json_file(file, "summary",
-                                   [&](std::string_view text) { results.has_checksums = check_result_files(directory, text); });
+  std::string summary;
+  results.summary = read_json_file(file, "summary", [&](std::string_view text) {
+    if (!check_result_files(directory, text)) results.unverified.push_back(directory);
+    summary = text;
+  });
   if (results.word("/$schema") != kSummarySchema)
     refuse_path(file, fmt::format("is not a summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
   if (!rows || !(*rows >= 0) || *rows != std::floor(*rows) || *rows > 1e15)
     refuse_path(file, "does not state its number of rows (/outcome/rows), a whole number; run the scenario again");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
-  if (is_there(directory / "timing.json"))
-    results.timing = read_json_file(directory / "timing.json", "timing", [&](std::string_view text) {
-      if (seal_of(text) == Seal::broken) refuse_path(directory / "timing.json", "is damaged: run the scenario again");
+  if (const fs::path timing = directory / "timing.json"; is_there(timing))
+    results.timing = read_json_file(timing, "timing", [&](std::string_view text) {
+      if (!check_timing(directory, text, summary) && results.unverified.empty()) results.unverified.push_back(timing);
     });
   const std::string trajectory = (directory / "trajectory.csv").string(), torques = (directory / "torques.csv").string();
   results.open_rows = [trajectory] { return open_own_csv(trajectory, trajectory_table()); };
@@ -128,7 +132,9 @@ std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory)
 Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check) {
   const std::string text = input::read_regular_file(file.string(), file.string(), {noun, false});
   if (check) check(text);
-  return input::read_document(text, file.string(), {noun});
+  Json json = input::read_document(text, file.string(), {noun});
+  check_ranges(json, file.string());
+  return json;
 }
 
 Comparand open_comparand(const fs::path& path, const Mapping* mapping) {

@@ -55,7 +55,7 @@ struct Comparand {
   std::function<std::unique_ptr<RowSource>()> open_rows;
   std::function<std::unique_ptr<RowSource>()> open_torques;  ///< null where there are none
   std::optional<std::uint64_t> stated_rows;                  ///< number of rows stated by the summary
-  bool has_checksums = true;                                 ///< false: results from before files were written with checksums
+  std::vector<fs::path> unverified;                          ///< the files, or the directory, that have no checksums
   std::string generator;                                     ///< for a compact reference: the program that made it
 
   /// The number at a JSON pointer of the summary; none where there is no number.
@@ -74,7 +74,8 @@ Comparand open_comparand(const fs::path& path, const Mapping* mapping);
 /// Sorted by name. Updates of them that were interrupted are completed first.
 std::vector<std::pair<std::string, fs::path>> members(const fs::path& directory);
 
-/// Reads a JSON file. @param noun  the kind of file, for messages   @throws ScenarioError where it is not JSON; ReadError
+/// Reads a JSON file that earthtop has written. @param noun  the kind of file, for messages   @throws ScenarioError where it is not
+/// JSON, or a number is out of its range; ReadError
 /// @param check  is given the text before it is read; may be null
 Json read_json_file(const fs::path& file, std::string_view noun, const std::function<void(std::string_view)>& check = nullptr);
 

@@ -20,6 +20,7 @@
 #include "compare/trust.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
 
 namespace earthtop {
@@ -217,9 +218,7 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
     const Comparand sides[] = {open_comparand(reference, mapping), open_comparand(candidate, mapping)};
     compare_runs(sides[0], sides[1], options, report);
     for (const Comparand& side : sides)
-      if (side.has_summary() && !side.has_checksums)
-        report.notes.push_back(fmt::format(
-            "{} has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", side.path.string()));
+      for (const fs::path& path : side.unverified) report.notes.push_back(unverified(path));
   }
   return report;
 } catch (const Json::exception& error) {

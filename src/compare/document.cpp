@@ -4,8 +4,7 @@
 #include "compare/conclusion.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/provenance.hpp"
-#include "text/json.hpp"
-#include "text/utf8.hpp"
+#include "results/seal.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -88,7 +87,7 @@ std::string comparison_json(const CompareReport& report) {
                          {"tolerances_file", compare::text_or_null(report.tolerances_file)},
                          {"program", {{"version", build_info().version}, {"commit", build_info().commit}}},
                          {"pairs", std::move(pairs)}};
-  return json_with_escapes(written_replacing(document, 2)) + '\n';
+  return sealed_document(document);
 }
 
 }  // namespace earthtop

@@ -10,6 +10,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/node.hpp"
+#include "results/number_ranges.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop::compare {
@@ -48,6 +49,7 @@ class OwnRows : public RowSource {
       const std::size_t at = reader_.find(table.columns[i]);
       if (at == reader_.header().size()) continue;
       columns_.push_back(i);
+      ranges_.push_back(range_of(table.columns[i]));
       wanted.push_back(at);
     }
     if (time == reader_.header().size() || columns_.empty())
@@ -68,6 +70,9 @@ class OwnRows : public RowSource {
     require_later(reader_, row.t_s, last_s_);
     row.kind.fill(CellKind::empty);  // also of the bounds: a file without them states none
     for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (const std::string_view wanted = fault_of(ranges_[i], numbers[i + 1]);
+          !wanted.empty() && kinds[i + 1] == CellKind::number)
+        refuse_at(reader_, fmt::format("{} is {}, but must be {}", table_.columns[columns_[i]], numbers[i + 1], wanted));
       row.value[columns_[i]] = numbers[i + 1];
       row.kind[columns_[i]] = kinds[i + 1];
       const std::string_view text = reader_.text(i + 1);
@@ -91,6 +96,7 @@ class OwnRows : public RowSource {
   CsvReader reader_;
   const Table& table_;
   std::vector<std::size_t> columns_;  // the table's columns that the file has
+  std::vector<NumberRange> ranges_;   // of their numbers
   double last_s_ = -std::numeric_limits<double>::infinity();
 };
 

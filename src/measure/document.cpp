@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/finding_json.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
-#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -172,7 +172,7 @@ std::string measurement_json(const MeasurementReport& report) {
       {"residuals", residuals},
       {"curve", curve_json(report.curve, report.curve_is_mean)},
       {"notes", report.notes}};
-  return json_with_escapes(written_replacing(document, 2)) + '\n';
+  return sealed_document(document);
 }
 
 }  // namespace earthtop

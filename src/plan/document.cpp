@@ -3,8 +3,8 @@
 
 #include "earthtop/plan/plan.hpp"
 #include "measure/finding_json.hpp"
+#include "results/seal.hpp"
 #include "text/json.hpp"
-#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace plan {
@@ -84,7 +84,7 @@ std::string plan_json(const PlanReport& report) {
                          {"advice", report.advice},
                          {"optimum", report.optimum ? optimum_json(*report.optimum) : Json(nullptr)},
                          {"notes", report.notes}};
-  return json_with_escapes(written_replacing(document, 2)) + '\n';
+  return sealed_document(document);
 }
 
 }  // namespace earthtop

@@ -155,9 +155,9 @@ std::string entries_table(const Json& scene) {
 
 }  // namespace
 
-Report bench_page(const Json& document) {
+Report bench_page(const Json& document, const std::vector<std::string>& notes) {
   const Json scenes = document.value("scenarios", Json::array());
-  Page page("bench", "Speed against error");
+  Page page("bench", "Speed against error", notes);
   page.headline(fmt::format("{}; {}.", scenes.size() == 1 ? "One scenario" : fmt::format("{} scenarios", scenes.size()),
                             escaped(text_of(document, "processor"))));
   for (std::size_t i = 0; i < scenes.size(); ++i) {

@@ -112,10 +112,10 @@ std::string pair_html(const Json& pair, std::size_t number, bool alone, Page& pa
 
 }  // namespace
 
-Report comparison_page(const Json& document) {
+Report comparison_page(const Json& document, const std::vector<std::string>& notes) {
   constexpr std::size_t kMostPairs = 20;  // limit, so that the page stays readable; some of these pairs get charts
   const std::string verdict = text_of(document, "verdict");
-  Page page("comparison", "Comparison of " + text_of(document, "new") + " with " + text_of(document, "reference"));
+  Page page("comparison", "Comparison of " + text_of(document, "new") + " with " + text_of(document, "reference"), notes);
   const Json pairs = document.value("pairs", Json::array());
   std::string conclusion;
   for (const Json& sentence : document.value("conclusion", Json::array()))

@@ -168,7 +168,8 @@ std::string number_html(const Json& value, std::string_view unit, int digits) {
   return value.is_number() ? number_html(value.get<double>(), unit, digits) : "";
 }
 
-Page::Page(std::string kind, std::string title) : title_(std::move(title)) {
+Page::Page(std::string kind, std::string title, std::vector<std::string> notes)
+    : title_(std::move(title)), notes_(std::move(notes)) {
   data_["kind"] = std::move(kind);
   data_["charts"] = Json::object();
 }
@@ -234,12 +235,14 @@ std::string Page::command(std::string_view text) {
 
 Report Page::finish() {
   const BuildInfo& build = build_info();
+  std::string notes;
+  for (const std::string& note : notes_) notes += fmt::format("<p class=\"note\">Note: {}.</p>\n", escaped(note));
   const std::string body = fmt::format(
       "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n<h1>{}</h1>\n<p "
-      "class=\"headline\">{}</p>\n{}</header>\n"
+      "class=\"headline\">{}</p>\n{}{}</header>\n"
       "<nav aria-label=\"Sections\"><ul>{}</ul></nav>\n<main id=\"main\">\n{}</main>\n<footer><p>earthtop {}, "
       "{}</p></footer>\n",
-      escaped(title_), headline_, verdict_, navigation_, sections_, escaped(build.version), escaped(build.commit));
+      escaped(title_), headline_, verdict_, notes, navigation_, sections_, escaped(build.version), escaped(build.commit));
   const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", page_script());
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "
@@ -251,7 +254,7 @@ Report Page::finish() {
       "</body>\n</html>\n",
       kPolicyPlace, escaped(title_), page_style(), body, data_text(data_), script);
   set_content_policy(html);
-  return {std::move(html), std::move(pictures_)};
+  return {std::move(html), std::move(pictures_), std::move(notes_)};
 }
 
 }  // namespace earthtop::report

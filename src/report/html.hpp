@@ -39,7 +39,8 @@ struct Mark {
 
 class Page {
  public:
-  Page(std::string kind, std::string title);
+  /// @param notes  sentences on what could not be verified
+  Page(std::string kind, std::string title, std::vector<std::string> notes);
 
   /// Sets the sentence under the title; HTML.
   void headline(std::string html) { headline_ = std::move(html); }
@@ -68,6 +69,7 @@ class Page {
   std::string title_, headline_, verdict_, navigation_, sections_;
   Json data_;
   std::vector<std::pair<std::string, std::string>> pictures_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace earthtop::report

@@ -137,10 +137,10 @@ std::vector<double> measured_times(const Figure& figure) {
 
 }  // namespace
 
-Report measurement_page(const Json& document) {
+Report measurement_page(const Json& document, const std::vector<std::string>& notes) {
   const bool agrees = document.at("agrees").get<bool>();
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
-  Page page("measurement", "Measurement of " + scenario);
+  Page page("measurement", "Measurement of " + scenario, notes);
   const std::vector<std::string> told = sentences(document);
   page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
                             count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),

@@ -11,9 +11,10 @@ namespace earthtop::report {
 
 Report run_page(const std::filesystem::path& directory, const Watch& watch);
 Report study_page(const std::filesystem::path& store, const Watch& watch);
-Report comparison_page(const Json& document);
-Report measurement_page(const Json& document);
-Report plan_page(const Json& document);
-Report bench_page(const Json& document);
+// @param notes  sentences on what could not be verified
+Report comparison_page(const Json& document, const std::vector<std::string>& notes);
+Report measurement_page(const Json& document, const std::vector<std::string>& notes);
+Report plan_page(const Json& document, const std::vector<std::string>& notes);
+Report bench_page(const Json& document, const std::vector<std::string>& notes);
 
 }  // namespace earthtop::report

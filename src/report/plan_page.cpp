@@ -74,11 +74,11 @@ std::string optimum_html(const Json& optimum, const std::string& unit) {
 
 }  // namespace
 
-Report plan_page(const Json& document) {
+Report plan_page(const Json& document, const std::vector<std::string>& notes) {
   const PlanReport report = pictured(document);
   const bool is_determined = document.at("outcome") == to_string(PlanOutcome::determined);
   const Json& plan = document.at("plan");
-  Page page("plan", "Planned measurement of " + report.scenario_name);
+  Page page("plan", "Planned measurement of " + report.scenario_name, notes);
   const std::string advice = document.at("advice").get<std::string>(), reason = document.at("reason").get<std::string>();
   page.headline(escaped(is_determined ? advice : reason + (advice.empty() ? "" : ". " + advice)));
   page.verdict(is_determined ? "same" : "differs",
@@ -93,9 +93,9 @@ Report plan_page(const Json& document) {
                  {"rows", fmt::format("{}", count_in(plan.at("rows")))}};
   if (number_in(plan.at("correlation_time_s")).value_or(0) > 0)
     facts.emplace_back("errors are correlated over", number_html(plan.at("correlation_time_s"), "s", 6));
-  std::string notes;
-  for (const Json& note : document.at("notes")) notes += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
-  page.section("plan", "Plan", facts_html(facts) + (notes.empty() ? "" : "<ul>" + notes + "</ul>\n"));
+  std::string list;
+  for (const Json& note : document.at("notes")) list += "<li>" + escaped(note.get<std::string>()) + "</li>\n";
+  page.section("plan", "Plan", facts_html(facts) + (list.empty() ? "" : "<ul>" + list + "</ul>\n"));
   if (!is_determined) return page.finish();
   const std::string unit = report.estimates.at(0).unit;
   page.section("estimates", "Standard errors",

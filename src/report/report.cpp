@@ -12,6 +12,8 @@
 #include "input/document.hpp"
 #include "input/file.hpp"
 #include "report/pages.hpp"
+#include "results/number_ranges.hpp"
+#include "results/seal.hpp"
 
 namespace earthtop {
 namespace report {
@@ -39,11 +41,15 @@ Report document_page(const std::filesystem::path& file) {
       file == kStandardInput ? input::read_standard_input(use) : input::read_regular_file(file.string(), file.string(), use);
   const std::string name = file == kStandardInput ? "<stdin>" : file.string();
   const Json document = input::read_document(text, name, {use.noun, use.most_MiB, kMostDocumentValues});
+  std::vector<std::string> notes;
+  if (!check_seal(text, name, "write it anew; if you have changed it yourself, remove its member \"checksum\""))
+    notes.push_back(unverified(name));
+  check_ranges(document, name);
   const Json schema = document.value("$schema", Json());
-  if (schema == "earthtop-comparison-1.json") return comparison_page(document);
-  if (schema == "earthtop-measurement-1.json") return measurement_page(document);
-  if (schema == "earthtop-plan-1.json") return plan_page(document);
-  if (document.contains("scenarios") && document.contains("processor")) return bench_page(document);
+  if (schema == "earthtop-comparison-1.json") return comparison_page(document, notes);
+  if (schema == "earthtop-measurement-1.json") return measurement_page(document, notes);
+  if (schema == "earthtop-plan-1.json") return plan_page(document, notes);
+  if (document.contains("scenarios") && document.contains("processor")) return bench_page(document, notes);
   compare::refuse_path(file,
                        "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
 }

@@ -22,6 +22,7 @@
 #include "report/seen.hpp"
 #include "report/shell.hpp"
 #include "report/thinning.hpp"
+#include "results/seal.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -237,7 +238,9 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
 Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   const Run run = read_run(directory, watch);
   const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
-  Page page("run", title.empty() ? "A run" : title);
+  std::vector<std::string> notes;
+  for (const std::filesystem::path& path : run.results.unverified) notes.push_back(unverified(path));
+  Page page("run", title.empty() ? "A run" : title, std::move(notes));
   page.headline(headline_html(run));
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page.data());

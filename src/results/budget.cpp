@@ -3,6 +3,7 @@
 
 #include "earthtop/results/results.hpp"
 #include "text/json.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace {
@@ -62,7 +63,7 @@ std::string budget_json(const Budget& budget, const Scene& scene) {
                    {"inputs_unavailable", budget.inputs_unavailable},
                    {"warnings", budget.warnings},
                    {"run", run_json(scene)}};
-  return written_replacing(document, 2) + '\n';
+  return json_with_escapes(written_replacing(document, 2)) + '\n';
 }
 
 std::string contact_explanation_json(const ContactExplanation& explained, const Scene& scene) {
@@ -97,7 +98,7 @@ std::string contact_explanation_json(const ContactExplanation& explained, const 
                          {"inputs_at_s", explained.inputs_at_s},
                          {"inputs", std::move(inputs)},
                          {"run", run_json(scene)}};
-  return written_replacing(document, 2) + '\n';
+  return json_with_escapes(written_replacing(document, 2)) + '\n';
 }
 
 }  // namespace earthtop

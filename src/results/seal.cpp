@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
 #include "input/document.hpp"
 #include "input/file.hpp"
 #include "text/checksum.hpp"
+#include "text/json.hpp"
+#include "text/utf8.hpp"
 
 namespace earthtop {
 namespace {
@@ -17,6 +20,11 @@ constexpr std::string_view kEnd = "\n}\n", kBefore = ",\n  \"checksum\": \"", kB
                            kZeros = "0000000000000000";
 
 constexpr const char* kDamaged = "is damaged: it is not what was written, or a run is writing there; run the scenario again";
+constexpr const char *kSummaryName = "summary.json", *kTimingName = "timing.json";
+
+[[noreturn]] void refuse_file(const std::filesystem::path& file, std::string why) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(why)}}, file.string());
+}
 
 std::string checksum_of_file(const std::filesystem::path& file) {
   const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"result file", false});
@@ -45,6 +53,16 @@ std::string sealed(std::string_view document, const FileChecksums& files) {
   return sealed(text.append(kEnd));
 }
 
+std::string sealed_document(const nlohmann::ordered_json& document) {
+  return sealed(json_with_escapes(written_replacing(document, 2)) + '\n');
+}
+
+std::string resealed(std::string_view document) {
+  nlohmann::ordered_json json = json_of(document);
+  json.erase("checksum");
+  return json.empty() ? std::string(document) : sealed_document(json);
+}
+
 std::string unsealed(std::string_view document) {
   const std::size_t checksum = document.rfind(kBefore);
   if (checksum == document.npos) return std::string(document);
@@ -54,9 +72,7 @@ std::string unsealed(std::string_view document) {
   return std::string(document.substr(0, has_files ? files : checksum)).append(kEnd);
 }
 
-void refuse_damaged(const std::filesystem::path& file) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", kDamaged}}, file.string());
-}
+void refuse_damaged(const std::filesystem::path& file) { refuse_file(file, kDamaged); }
 
 Seal seal_of(std::string_view document) {
   const std::size_t behind = kZeros.size() + 1 + kEnd.size();
@@ -71,6 +87,17 @@ Seal seal_of(std::string_view document) {
   std::string text(document);
   text.replace(digits, kZeros.size(), kZeros);
   return checksum_text(checksum_of(text)) == stated ? Seal::fits : Seal::broken;
+}
+
+bool check_seal(std::string_view document, const std::filesystem::path& file, std::string_view remedy) {
+  const Seal seal = seal_of(document);
+  if (seal == Seal::broken) refuse_file(file, fmt::format("is damaged: it is not what was written; {}", remedy));
+  return seal == Seal::fits;
+}
+
+std::string unverified(const std::filesystem::path& path) {
+  return fmt::format("{} has no checksums, since an older earthtop wrote it: damage to it would go unnoticed",
+                     printable(path.string()));
 }
 
 FileChecksums checksums_in(std::string_view summary, const std::filesystem::path& file) {
@@ -88,12 +115,27 @@ FileChecksums checksums_in(std::string_view summary, const std::filesystem::path
 bool check_result_files(const std::filesystem::path& directory, std::string_view summary) {
   const Seal seal = seal_of(summary);
   if (seal == Seal::absent) return false;
-  if (seal == Seal::broken) refuse_damaged(directory / "summary.json");
-  for (const auto& [name, checksum] : checksums_in(summary, directory / "summary.json")) {
+  if (seal == Seal::broken) refuse_damaged(directory / kSummaryName);
+  for (const auto& [name, checksum] : checksums_in(summary, directory / kSummaryName)) {
     const std::filesystem::path file = directory / name;
     if (input::type_of(file.string()) == input::PathType::nothing) continue;  // who needs it says that it is missing
     if (checksum != checksum_of_file(file)) refuse_damaged(file);
   }
+  return true;
+}
+
+std::string sealed_timing(std::string_view timing, std::string_view summary) {
+  return sealed(timing, {{kSummaryName, checksum_text(checksum_of(summary))}});
+}
+
+bool check_timing(const std::filesystem::path& directory, std::string_view timing, std::string_view summary) {
+  const std::filesystem::path file = directory / kTimingName;
+  if (!check_seal(timing, file, "run the scenario again")) return false;
+  if (seal_of(summary) == Seal::absent) return true;
+  const std::string checksum = checksum_text(checksum_of(summary));
+  for (const auto& [name, stated] : checksums_in(timing, file))
+    if (name == kSummaryName && stated != checksum)
+      refuse_file(file, "belongs to another result than the summary.json beside it; remove it, or run the scenario again");
   return true;
 }
 

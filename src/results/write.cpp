@@ -19,6 +19,7 @@
 #include "input/file.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
+#include "results/number_ranges.hpp"
 #include "results/seal.hpp"
 #include "text/checksum.hpp"
 
@@ -97,11 +98,12 @@ class SealedSet {
     });
     checksums_.emplace_back(name, checksum_text(checksum.value()));
   }
-  /// Adds a document that has its own checksum, since it differs from run to run, which the summary does not.
-  void add_by_itself(std::string_view name, std::string_view document) { files_.add(name, sealed(document)); }
-  /// Puts all in place. @returns the summary as written
-  std::string commit(std::string_view summary) {
+  /// Puts all in place. The timing, which differs from run to run as the summary does not, states the summary's checksum, and not the
+  /// other way round.
+  /// @param timing  may be empty: there is none   @returns the summary as written
+  std::string commit(std::string_view summary, std::string_view timing) {
     std::string text = sealed(summary, checksums_);
+    if (!timing.empty()) files_.add(kTiming, sealed_timing(timing, text));
     files_.add(kSummary, text);
     files_.commit();
     return text;
@@ -112,21 +114,30 @@ class SealedSet {
   FileChecksums checksums_;
 };
 
-/// @param add_files  adds all files but the summary, which it returns   @returns the summary as written
+struct Documents {
+  std::string summary, timing;
+};
+
+/// @param add_files  adds all files but these documents, which it returns   @returns the summary as written
 std::string write_set(const fs::path& dir, const Scene& scene, bool force, const Watch& watch,
-                      const std::function<std::string(SealedSet&)>& add_files) {
+                      const std::function<Documents(SealedSet&)>& add_files) {
   check_output_directory(dir, scene, force);
   SealedSet set(dir, watch);
   check_present_files(dir, scene, force);  // once more, since no other run can write there while the directory is locked
-  return set.commit(add_files(set));
+  const Documents documents = add_files(set);
+  return set.commit(documents.summary, documents.timing);
 }
 
-/// Holds the texts of result files against the checksums in them. @throws ScenarioError
-void check_result_texts(const fs::path& dir, const ResultTexts& texts) {
-  for (const std::string_view name : {kSummary, kTiming})
-    if (const auto found = texts.find(name); found != texts.end() && seal_of(found->second) == Seal::broken)
-      refuse_damaged(dir / name);
-  const FileChecksums checksums = checksums_in(texts.find(kSummary)->second, dir / kSummary);
+/// Holds the texts of result files against the checksums in them. @param notes  as of `read_result_texts`   @throws ScenarioError
+void check_result_texts(const fs::path& dir, const ResultTexts& texts, std::vector<std::string>* notes) {
+  const std::string& summary = texts.find(kSummary)->second;
+  const Seal seal = seal_of(summary);
+  if (seal == Seal::broken) refuse_damaged(dir / kSummary);
+  const auto timing = texts.find(kTiming);
+  const bool timing_is_sealed = timing == texts.end() || check_timing(dir, timing->second, summary);
+  if (notes && seal == Seal::absent) notes->push_back(unverified(dir));
+  if (notes && seal == Seal::fits && !timing_is_sealed) notes->push_back(unverified(dir / kTiming));
+  const FileChecksums checksums = checksums_in(summary, dir / kSummary);
   for (const auto& [name, checksum] : checksums)
     if (const auto found = texts.find(name); found == texts.end() || checksum_text(checksum_of(found->second)) != checksum)
       refuse_damaged(dir / name);
@@ -140,11 +151,13 @@ void check_table(const fs::path& file, const std::string& text, const std::vecto
   input::CsvReader reader = input::CsvReader::of_text(file.string(), text, kWithoutComments);
   std::vector<std::size_t> places;
   std::vector<std::string_view> words;
+  std::vector<NumberRange> ranges;
   for (const RowArray& kind : kinds) {
     if (reader.find(kind.columns.front()) == reader.header().size() && kind.columns.front() != kTimeColumn) continue;
     for (const std::string& column : kind.columns) {
       places.push_back(reader.find(column));
       words.push_back(kind.words);
+      ranges.push_back(range_of(column));
       if (places.back() == reader.header().size())
         refuse(file, fmt::format("has no column {}; run the scenario again", column));
     }
@@ -152,8 +165,11 @@ void check_table(const fs::path& file, const std::string& text, const std::vecto
   reader.want(places);
   for (std::size_t i = 0; i < words.size(); ++i)
     if (!words[i].empty()) reader.take_words(i, words[i]);
-  while (reader.next()) {
-  }
+  while (reader.next())
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+      if (const std::string_view wanted = fault_of(ranges[i], reader.numbers()[i]); !wanted.empty())
+        refuse(file, fmt::format("has a {} of {} in line {}, which must be {}; run the scenario again", reader.header()[places[i]],
+                                 reader.numbers()[i], reader.line(), wanted));
 }
 
 /// Holds the texts of result files to their formats. @throws ScenarioError
@@ -162,7 +178,11 @@ void check_formats(const fs::path& dir, const ResultTexts& texts) {
     const auto found = texts.find(name);
     return found == texts.end() ? nullptr : &found->second;
   };
-  if (const std::string* timing = text_of(kTiming)) input::read_document(*timing, (dir / kTiming).string(), {"timing"});
+  for (const auto& [name, noun] : {std::pair(kSummary, "summary"), std::pair(kTiming, "timing")})
+    if (const std::string* text = text_of(name); text != nullptr) {
+      const std::string file = dir / name;
+      check_ranges(input::read_document(*text, file, {noun}), file);
+    }
   check_table(dir / kRowTable, *text_of(kRowTable), row_array_kinds());
   if (const std::string* torques = text_of(kTorqueTable)) check_table(dir / kTorqueTable, *torques, torque_array_kinds());
 }
@@ -212,26 +232,21 @@ std::string write_results(const RunResult& result, const fs::path& dir, bool for
     if (result.ledger)
       set.add(kTorqueTable, [&](const FileSet::Sink& sink) { write_torques_csv(result, sink, watch.part(0.5, 1)); });
     set.add(kFigure, [&](const FileSet::Sink& sink) { sink(svg(drift_figure(result))); });
-    set.add_by_itself(kTiming, timing_json(result));
-    return summary_json(result);
+    return Documents{summary_json(result), timing_json(result)};
   });
 }
 
 void write_results(const ResultTexts& texts, const Scene& scene, const fs::path& dir, bool force) {
   write_set(dir, scene, force, {}, [&](SealedSet& set) {
-    for (const std::string_view name : kFiles) {
-      const auto found = texts.find(name);
-      if (found == texts.end() || name == kSummary) continue;
-      if (name == kTiming)
-        set.add_by_itself(name, found->second);
-      else
+    for (const std::string_view name : {kRowTable, kTorqueTable, kFigure})
+      if (const auto found = texts.find(name); found != texts.end())
         set.add(name, [&](const FileSet::Sink& sink) { sink(found->second); });
-    }
-    return texts.at(std::string(kSummary));
+    const auto timing = texts.find(kTiming);
+    return Documents{texts.at(std::string(kSummary)), timing == texts.end() ? "" : timing->second};
   });
 }
 
-ResultTexts read_result_texts(const fs::path& dir) {
+ResultTexts read_result_texts(const fs::path& dir, std::vector<std::string>* notes) {
   ResultTexts texts;
   for (const std::string_view name : kFiles) {
     const std::string file = dir / name;
@@ -240,7 +255,7 @@ ResultTexts read_result_texts(const fs::path& dir) {
   }
   for (const std::string_view name : {kSummary, kRowTable})
     if (!texts.contains(name)) refuse(dir, fmt::format("holds no results: it has no {}", name));
-  check_result_texts(dir, texts);  // which reads the summary
+  check_result_texts(dir, texts, notes);  // which reads the summary
   check_formats(dir, texts);
   for (auto& [name, text] : texts)
     if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cstdio>
+#include <limits>
 
 #include "earthtop/results/provenance.hpp"
 #include "input/file.hpp"
@@ -245,6 +246,14 @@ std::string Store::fault_of_file() {
   return fmt::format("the file has {} bytes where its pages have {}", size, pages.integer(0));
 }
 
+std::string Store::fault_of_numbers() {
+  const std::uint64_t planned = point_count(study_).value_or(std::numeric_limits<std::int64_t>::max());
+  sqlite::Statement outside(*connection_, "SELECT number FROM point WHERE number < 0 OR number >= ? LIMIT 1");
+  outside.bind(1, static_cast<std::int64_t>(planned));
+  if (!outside.step()) return "";
+  return fmt::format("it has a point numbered {}, but its study has the points 0 to {}", outside.integer(0), planned - 1);
+}
+
 StoreCheck Store::check() {
   StoreCheck check;
   check.has_checksums = has_checksums_;
@@ -252,6 +261,7 @@ StoreCheck Store::check() {
     try {
       sqlite::Statement pages(*connection_, "PRAGMA quick_check(1)");
       if (pages.step() && pages.text(0) != "ok") check.fault = "its pages are not in order";
+      if (check.fault.empty()) check.fault = fault_of_numbers();
       check.intact = count();
     } catch (const FileError& error) {
       check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
@@ -279,6 +289,7 @@ StoreCheck Store::check() {
       check.lost = stored->count - there;
     else if (check.damaged.empty() && *stored != seen)
       check.fault = "its points are not those that were stored";
+    if (const std::string numbers = fault_of_numbers(); !numbers.empty()) check.fault = numbers;
     connection_->execute("COMMIT");
   } catch (const FileError& error) {
     check.fault = fmt::format("it cannot be read to its end ({})", error.reason());

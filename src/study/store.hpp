@@ -108,6 +108,7 @@ class Store {
   std::optional<Contents> stored_contents();  ///< none if the record is damaged
   std::string contents_text(const Contents& contents) const;
   std::string fault_of_file();
+  std::string fault_of_numbers();  ///< whether a point has a number that its study has not
   void pass_over(const std::vector<std::uint64_t>& numbers);
   /// Takes the points whose checksums a query gives out of the contents.
   void exclude(const std::string& query);

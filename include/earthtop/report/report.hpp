@@ -14,6 +14,7 @@ namespace earthtop {
 struct Report {
   std::string html;
   std::vector<std::pair<std::string, std::string>> pictures;  ///< the figures of the page as separate files: name, SVG
+  std::vector<std::string> notes;                             ///< on what could not be verified; the page has them, too
 };
 
 /// @param what  results of a run, a study (its directory or store), or a document written by `compare --json` or `bench --json`

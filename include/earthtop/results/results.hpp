@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/run.hpp"
@@ -76,14 +77,19 @@ std::string write_results(const RunResult& result, const std::filesystem::path& 
 /// The files of a run's results as texts, by their names; without the checksums that the written files have.
 using ResultTexts = std::map<std::string, std::string, std::less<>>;
 /// Reads the files of a directory, and checks them against their checksums where they have some.
+/// @param notes  is given a sentence on each file that has none, and on the directory where its summary has none; may be null
 /// @throws ScenarioError if it holds no results, or a file that is not what was written; ReadError
-ResultTexts read_result_texts(const std::filesystem::path& dir);
+ResultTexts read_result_texts(const std::filesystem::path& dir, std::vector<std::string>* notes = nullptr);
 /// Writes files as the other `write_results` does. @param texts  those that `write_results` writes for `scene`
 /// @throws as the other
 void write_results(const ResultTexts& texts, const Scene& scene, const std::filesystem::path& dir, bool force);
 
 /// The approximate cost of writing, in the seconds of `estimated_seconds`.
 double writing_seconds(const Scenario& scenario);
+
+/// A document of `compare`, `plan` or `bench --json` that was changed, with the checksum that fits it.
+/// @param document  a JSON object
+std::string resealed(std::string_view document);
 
 /// Writes one file and creates its directory; an old file stays until the new one is complete.   @throws WriteError,
 /// Interrupted

@@ -67,9 +67,10 @@ void bind_documents(py::module_& module) {
       "make_report",
       [](const std::filesystem::path& what) {
         Report report = result_of(py::none(), [&](const Watch& watch) { return make_report(what, watch); });
-        return py::make_tuple(std::move(report.html), std::move(report.pictures));
+        return py::make_tuple(std::move(report.html), std::move(report.pictures), std::move(report.notes));
       },
-      py::arg("what"), "The page of what a path holds: (html, [(name, svg)]).");
+      py::arg("what"), "The page of what a path holds: (html, [(name, svg)], notes on what could not be verified).");
+  module.def("resealed", &resealed, py::arg("document"), "A document that was changed, with the checksum that fits.");
   module.def("report_file", &report_file, py::arg("what"), "Where the page of a path is put by default.");
 }
 

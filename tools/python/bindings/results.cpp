@@ -106,7 +106,14 @@ void bind_results(py::module_& module) {
       });
   module.def("row_array_kinds", [] { return kinds(row_array_kinds()); });
   module.def("torque_array_kinds", [] { return kinds(torque_array_kinds()); });
-  module.def("read_result_texts", &read_result_texts, py::arg("directory"));
+  module.def(
+      "read_result_texts",
+      [](const std::filesystem::path& directory) {
+        std::vector<std::string> notes;
+        ResultTexts texts = read_result_texts(directory, &notes);
+        return py::make_tuple(std::move(texts), std::move(notes));
+      },
+      py::arg("directory"), "The files of results: (texts by names, notes on what could not be verified).");
   module.def("write_result_texts", [](const ResultTexts& texts, const Scene& scene, const std::filesystem::path& dir,
                                       bool force) { write_results(texts, scene, dir, force); });
   module.def("write_file", [](const std::filesystem::path& file, const std::string& content) { write_file(file, content); });

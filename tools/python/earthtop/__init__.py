@@ -13,7 +13,7 @@ North, Up), B the body, N the inertial axes that coincide with L at the release.
 
 from . import closed_form
 from ._core import version as __version__
-from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError
+from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError, UnverifiedWarning
 from ._arrays import Arrays
 from ._compare import Comparison, compare
 from ._documents import Document
@@ -42,6 +42,7 @@ __all__ = [
     "Result",
     "Scenario",
     "ScenarioError",
+    "UnverifiedWarning",
     "check",
     "closed_form",
     "compare",

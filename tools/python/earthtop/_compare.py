@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import tempfile
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
@@ -168,4 +170,7 @@ def compare(reference: "Comparable", new: "Comparable", *, profile: str = "",
         texts = _core.compare(paths.of_results(reference, "reference"), paths.of_results(new, "new"), profile,
                               paths.of_table(tolerances, "tolerances"), paths.of_table(mapping, "mapping"), pointers,
                               may_lack_rows, steps_ratio, seconds_ratio, reporter)
-    return Comparison(*(renamed(text, paths.names) for text in texts))
+    document, svg, junit = texts
+    in_markup = {path: escape(name) for path, name in paths.names.items()}
+    document = _core.resealed(renamed(document, {path: json.dumps(name)[1:-1] for path, name in paths.names.items()}))
+    return Comparison(document, renamed(svg, in_markup), renamed(junit, in_markup))

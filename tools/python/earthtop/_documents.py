@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, 
 
 from . import _core
 from ._errors import Finding, ScenarioError, refuse
+from ._html import html_of
+from ._pickles import Pickled
 from ._scenario import Scenario, json_text, pointer_of
 
 if TYPE_CHECKING:
@@ -21,7 +23,7 @@ if TYPE_CHECKING:
 Given = Tuple[str, str, List[Tuple[str, str]]]
 
 
-class Document:
+class Document(Pickled):
     """A document of the program. ``text`` is what ``earthtop ... --json`` prints, ``document`` its content as a dictionary.
 
     It can be pickled, and ``earthtop.report`` makes a page of most of them.
@@ -58,10 +60,7 @@ class Document:
         return "\n".join(lines) + ">"
 
     def _repr_html_(self) -> str:
-        from html import escape
-
-        lines = "".join(f"<li>{escape(line)}</li>" for line in self._lines())
-        return f"<div><p><b>{escape(self._headline())}</b></p>" + (f"<ul>{lines}</ul>" if lines else "") + f"{self.svg}</div>"
+        return html_of(self._headline(), self._lines(), self.svg)
 
 
 def exact_of(document: Mapping[str, Any]) -> "pandas.DataFrame":

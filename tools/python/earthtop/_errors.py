@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import builtins
+import warnings
 from dataclasses import dataclass
 from typing import Any, Iterable, Optional, Tuple, Union
 
@@ -53,8 +54,18 @@ class FileError(Error, OSError):
         return type(self), (self.path, self.reason)
 
 
+class UnverifiedWarning(UserWarning):
+    """What was read has no checksums, as what earthtop 1.0 wrote may have none: damage to it would go unnoticed."""
+
+
 class ArithmeticError(Error, builtins.ArithmeticError):
     """The processor does not compute as the results need it."""
+
+
+def warn(notes: Iterable[str]) -> None:
+    """Warns the caller of the package's function of what could not be verified."""
+    for note in notes:
+        warnings.warn(note, UnverifiedWarning, stacklevel=3)
 
 
 def refuse(message: str, pointer: str = "") -> ScenarioError:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, List, Mapping, Optional, Sequence
 
 from . import _core
 from ._documents import Document, table
+from ._html import html_of
 from ._progress import Progress, Reporter
 from ._scenario import ScenarioLike, as_scenario
 
@@ -83,10 +84,7 @@ class Explanation(Document):
                 *(f"warning: {one}" for one in self.warnings)]
 
     def _repr_html_(self) -> str:
-        from html import escape
-
-        warnings = "".join(f"<p>{escape(one)}</p>" for one in self.warnings)
-        return f"<div><p><b>{escape(self._headline())}</b></p>{self.effects.drop(columns='name').to_html()}{warnings}</div>"
+        return html_of(self._headline(), table=self.effects.drop(columns="name").to_html(escape=True), after=self.warnings)
 
 
 def explain(scenario: ScenarioLike, changes: Optional[Mapping[str, Any]] = None, *, progress: Progress = None,

@@ -6,12 +6,13 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Mapping, Tuple, Union
 
 from . import _core
 from ._documents import Document, errors_named, plain_json, renamed
-from ._errors import refuse
+from ._errors import refuse, warn
 from ._result import Result
 from ._study import store_of
 
@@ -52,8 +53,9 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
         page = Path(_core.report_file(place) if path is None else path)
         if page.suffix != ".html" and page.exists():
             raise refuse(f"{page} already exists, and is not a page by its name; choose a name that ends in .html")
-        html, pictures = _core.make_report(place)
-        _core.write_file(page, renamed(html, names))
+        html, pictures, notes = _core.make_report(place)
+        warn(renamed(note, names) for note in notes)
+        _core.write_file(page, renamed(html, {escape(name): escape(called) for name, called in names.items()}))
         for name, picture in pictures if svg else ():
             _core.write_file(page.with_name(f"{page.stem}-{name}.svg"), picture)
     return page
@@ -67,6 +69,7 @@ def _place(what: "Reportable", stack: contextlib.ExitStack) -> Tuple[str, Mappin
         return str(directory), {str(directory): what.summary["name"]}
     if isinstance(what, (Document, Mapping)):
         file = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="earthtop-"))) / "document.json"
-        file.write_text(what.text if isinstance(what, Document) else plain_json(what, "the document"), encoding="utf-8")
+        file.write_text(what.text if isinstance(what, Document) else _core.resealed(plain_json(what, "the document")),
+                        encoding="utf-8")
         return str(file), {str(file): f"<{type(what).__name__}>"}
     return store_of(what), {}

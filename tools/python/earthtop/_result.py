@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import os
 from functools import partial
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -14,7 +13,9 @@ import numpy as np
 
 from . import _core
 from ._arrays import ROW_KINDS, TORQUE_KINDS, Arrays, Kind, Quantity, quantities_of, read_only
-from ._errors import refuse
+from ._errors import refuse, warn
+from ._html import html_of
+from ._pickles import Pickled
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
@@ -79,14 +80,15 @@ class Drift(Arrays):
         return sorted({*super().__dir__(), *self._numbers})
 
 
-class Result:
+class Result(Pickled):
     """What a run returns.
 
     The arrays of its rows are attributes (``r.t_s``, ``r.q_LB``), listed by ``print(r.rows)``; those of the drift are in
     ``r.drift``. They are read-only and, where the library holds the numbers as they are, no copies. Units end the names; L is
     the laboratory (East, North, Up), B the body; ``ref_`` marks the non-rotating prediction.
 
-    A result can be pickled: it is stored as the files that the program would write, and reads back to the same bits.
+    A result can be pickled: it is stored as the files that the program would write, and reads back to the same bits. A pickle that is
+    damaged is refused. A pickle is code: load none from strangers, who can send the files of ``save``.
     """
 
     t_s: np.ndarray
@@ -192,7 +194,7 @@ class Result:
 
     @property
     def svg(self) -> str:
-        """The picture of the drift as SVG."""
+        """The picture of the drift as SVG; of a result from files, as the file has it."""
         return self._files["drift.svg"] or ""
 
     # What can be done with it -----------------------------------------------------------------------------------------
@@ -299,14 +301,14 @@ class Result:
     def __getstate__(self) -> Dict[str, Optional[str]]:
         return {name: self._files[name] for name in FILES}
 
-    def __setstate__(self, state: Dict[str, Optional[str]]) -> None:
+    def _restore(self, state: Dict[str, Optional[str]]) -> None:
         self.__dict__.update(_of_texts(state).__dict__)
 
     def __repr__(self) -> str:
         return f"<earthtop.Result {_headline(self)}>"
 
     def _repr_html_(self) -> str:
-        return f"<div><p><b>{escape(_headline(self))}</b></p>{self.svg}</div>"
+        return html_of(_headline(self), svg=self.svg)
 
 
 def _headline(result: Result) -> str:
@@ -339,6 +341,8 @@ def _of_texts(texts: Mapping[str, Optional[str]], scenario: Optional[Scenario] =
 def load_result(directory: Union[str, os.PathLike]) -> Result:
     """Reads the results that ``earthtop run`` or ``Result.save`` wrote to a directory.
 
+    An ``UnverifiedWarning`` tells of files without checksums.
+
     Raises
     ------
     ScenarioError
@@ -346,7 +350,9 @@ def load_result(directory: Union[str, os.PathLike]) -> Result:
     FileError
         if a file cannot be read
     """
-    return _of_texts(_core.read_result_texts(os.fspath(directory)))
+    texts, notes = _core.read_result_texts(os.fspath(directory))
+    warn(notes)
+    return _of_texts(texts)
 
 
 def _array_property(kind: Kind, name: str, rows: Callable[[Any], Arrays]) -> property:
