@@ -35,6 +35,15 @@ bool is_document(const std::filesystem::path& what) {
   return first != head.npos && head[first] == '{';
 }
 
+/// The function that makes the page of a document; null where there is none.
+Report (*page_maker(const Json& document))(const Json&, const std::vector<std::string>&) {
+  const Json schema = document.value("$schema", Json());
+  if (schema == "earthtop-comparison-1.json") return comparison_page;
+  if (schema == "earthtop-measurement-1.json") return measurement_page;
+  if (schema == "earthtop-plan-1.json") return plan_page;
+  return document.contains("scenarios") && document.contains("processor") ? bench_page : nullptr;
+}
+
 Report document_page(const std::filesystem::path& file) {
   const input::FileUse use{"document", false, kMostDocument_MiB};
   const std::string text =
@@ -44,14 +53,12 @@ Report document_page(const std::filesystem::path& file) {
   std::vector<std::string> notes;
   if (!check_seal(text, name, "write it anew; if you have changed it yourself, remove its member \"checksum\""))
     notes.push_back(unverified(name));
+  const auto make_page = page_maker(document);
+  if (make_page == nullptr)
+    compare::refuse_path(file,
+                         "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
   check_ranges(document, name);
-  const Json schema = document.value("$schema", Json());
-  if (schema == "earthtop-comparison-1.json") return comparison_page(document, notes);
-  if (schema == "earthtop-measurement-1.json") return measurement_page(document, notes);
-  if (schema == "earthtop-plan-1.json") return plan_page(document, notes);
-  if (document.contains("scenarios") && document.contains("processor")) return bench_page(document, notes);
-  compare::refuse_path(file,
-                       "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
+  return make_page(document, notes);
 }
 
 }  // namespace

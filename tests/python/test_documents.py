@@ -94,7 +94,7 @@ def test_what_a_comparison_tells(results):
     assert not quantities.loc["axis_rad", "passed"]
     assert quantities.loc["axis_rad", "largest_difference"] > quantities.loc["axis_rad", "tolerance"] > 0
     assert quantities["violations"].dtype == "int64"
-    assert "<svg" in differs.svg and "<testsuite" in differs.junit and "<svg" in differs._repr_html_()
+    assert "<svg" in differs.svg and "<testsuite" in differs.junit and 'src="data:image/svg+xml;base64,' in differs._repr_html_()
     assert et.compare(reference, new, may_change="release/tilt_deg", tolerances={
         "quantities": {name: {"absolute": 1} for name in quantities.index[~quantities["passed"]]}}).passed
 

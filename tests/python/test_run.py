@@ -209,7 +209,7 @@ def test_errors_of_files(tmp_path):
 def test_picture_and_headline():
     r = et.run(et.example("toy-top"), duration_s=1)
     html = r._repr_html_()
-    assert "toy-top: after 1 s" in html and f"{r.drift.axis_final_rad:.6g}" in html and "<svg" in html
+    assert "toy-top: after 1 s" in html and f"{r.drift.axis_final_rad:.6g}" in html and 'src="data:image/svg+xml;base64,' in html
 
 
 def test_plot_of_files_has_rows_alone(tmp_path):
