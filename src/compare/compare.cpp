@@ -218,7 +218,7 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
     const Comparand sides[] = {open_comparand(reference, mapping), open_comparand(candidate, mapping)};
     compare_runs(sides[0], sides[1], options, report);
     for (const Comparand& side : sides)
-      for (const fs::path& path : side.unverified) report.notes.push_back(unverified(path));
+      for (const fs::path& path : side.unverified) report.unverified.push_back(unverified(path));
   }
   return report;
 } catch (const Json::exception& error) {
@@ -340,6 +340,14 @@ bool CompareReport::passed() const {
 
 bool CompareReport::refused() const {
   return std::any_of(pairs.begin(), pairs.end(), [](const PairReport& pair) { return !pair.refusal.empty(); });
+}
+
+std::vector<std::string> CompareReport::unverified() const {
+  std::vector<std::string> sentences;
+  for (const PairReport& pair : pairs)
+    for (const std::string& sentence : pair.unverified)
+      if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(sentence);
+  return sentences;
 }
 
 namespace compare {

@@ -40,6 +40,8 @@ Json quantity_json(const QuantityVerdict& quantity) {
 
 Json pair_json(const PairReport& pair) {
   Json findings = Json::array(), left_out = Json::array(), quantities = Json::array(), cost = Json::array();
+  std::vector<std::string> notes = pair.notes;
+  notes.insert(notes.end(), pair.unverified.begin(), pair.unverified.end());
   for (const CompareFinding& finding : pair.findings) findings.push_back({{"kind", finding.kind}, {"text", finding.text}});
   for (const LeftOut& one : pair.left_out) left_out.push_back({{"name", one.name}, {"why", one.why}});
   for (const QuantityVerdict& quantity : pair.quantities) quantities.push_back(quantity_json(quantity));
@@ -59,7 +61,7 @@ Json pair_json(const PairReport& pair) {
           {"conclusion", conclusion_of(pair)},
           {"refusal", text_or_null(pair.refusal)},
           {"findings", std::move(findings)},
-          {"notes", pair.notes},
+          {"notes", std::move(notes)},
           {"hints", pair.hints},
           {"rows_compared", pair.rows},
           {"compared_until_s", number_or_null(pair.until_s)},

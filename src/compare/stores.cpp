@@ -14,6 +14,7 @@
 #include "earthtop/study/run_study.hpp"
 #include "input/file.hpp"
 #include "input/node.hpp"
+#include "results/seal.hpp"
 #include "study/store.hpp"
 
 namespace earthtop::compare {
@@ -205,6 +206,8 @@ void compare_stores(const std::filesystem::path& reference_path, const std::file
     else
       report.notes.push_back(what + ", which was allowed");
   }
+  if (!reference.has_checksums()) report.unverified.push_back(unverified(reference_path));
+  if (!candidate.has_checksums()) report.unverified.push_back(unverified(candidate_path));
   std::vector<SharedQuantity> quantities = shared_quantities(reference, candidate, options, report);
   reference.for_each([&](const PointResult& point) {
     for (SharedQuantity& quantity : quantities)

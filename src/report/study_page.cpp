@@ -10,7 +10,6 @@
 #include "report/pages.hpp"
 #include "report/shell.hpp"
 #include "report/study_points.hpp"
-#include "results/seal.hpp"
 #include "study/store.hpp"
 #include "text/json.hpp"
 
@@ -119,13 +118,12 @@ std::string self_contained(const Study& study) {
 
 Report study_page(const std::filesystem::path& store, const Watch& watch) {
   const StudyStoreCheck check = check_study_store(store);
-  if (!check.damage.empty())
-    throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", check.damage}}, store.string());
+  if (!check.damage.empty()) throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", check.damage}}, store.string());
   study::Store points = study::Store::open(store, study::sqlite::Connection::Mode::read);
   const Json study = Json::parse(study_json(store, watch));
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");
   std::vector<std::string> notes;
-  if (!check.has_checksums) notes.push_back(unverified(store));
+  if (!check.note.empty()) notes.push_back(check.note);
   Page page("study", title, std::move(notes));
   page.headline(escaped(study.value("finding", "")));
   const std::uint64_t failed = count_in(study.at("points_failed")), computed = count_in(study.at("points_computed")),

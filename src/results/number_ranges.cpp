@@ -42,6 +42,7 @@ constexpr auto kRangeRules = [] {
       {"scale", not_negative},
       {"share_used", not_negative},
       {"error.", not_negative},
+      {"uncertainty.", not_negative},
       {"largest_drift_rad", not_negative},
       {"largest_difference", not_negative},
       {"largest_change", not_negative},
@@ -110,13 +111,15 @@ class RangeCheck {
       for (const auto& [key, value] : json.items())
         if (key != "scenario") look(value, pointer + input::pointer_step(key), key, name);
     } else if (json.is_array()) {
+      if (range_of(name, parent) == NumberRange::count) return;  // a list of rows, whose numbers are of columns
       std::size_t i = 0;
       for (const Json& value : json) look(value, pointer + "/" + std::to_string(i++), name, parent);
     } else if (json.is_number() && faults.size() < kMostFaults) {
       const auto number = json.get<double>();
       if (const std::string_view wanted = fault_of(range_of(name, parent), number); !wanted.empty())
-        faults.push_back({0, 0, pointer,
-                          fmt::format("is {}, but must be {}: the file is not as earthtop wrote it; write it anew", number, wanted)});
+        faults.push_back(
+            {0, 0, pointer,
+             fmt::format("is {}, but must be {}: the file is not as earthtop wrote it; write it anew", number, wanted)});
     }
   }
 

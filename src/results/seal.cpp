@@ -91,7 +91,7 @@ Seal seal_of(std::string_view document) {
 
 bool check_seal(std::string_view document, const std::filesystem::path& file, std::string_view remedy) {
   const Seal seal = seal_of(document);
-  if (seal == Seal::broken) refuse_file(file, fmt::format("is damaged: it is not what was written; {}", remedy));
+  if (seal == Seal::broken) refuse_file(file, fmt::format("is damaged: its contents are not what was written; {}", remedy));
   return seal == Seal::fits;
 }
 

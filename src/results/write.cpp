@@ -168,8 +168,8 @@ void check_table(const fs::path& file, const std::string& text, const std::vecto
   while (reader.next())
     for (std::size_t i = 0; i < ranges.size(); ++i)
       if (const std::string_view wanted = fault_of(ranges[i], reader.numbers()[i]); !wanted.empty())
-        refuse(file, fmt::format("has a {} of {} in line {}, which must be {}; run the scenario again", reader.header()[places[i]],
-                                 reader.numbers()[i], reader.line(), wanted));
+        refuse(file, fmt::format("has a {} of {} in line {}, which must be {}; run the scenario again",
+                                 reader.header()[places[i]], reader.numbers()[i], reader.line(), wanted));
 }
 
 /// Holds the texts of result files to their formats. @throws ScenarioError

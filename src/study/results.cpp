@@ -242,7 +242,7 @@ Files files_of(Store& store, const FileSet::Sink& table_sink, const Watch& watch
 
 StudyStoreCheck check_study_store(const std::filesystem::path& file) {
   const study::StoreCheck check = study::Store::open(file, study::sqlite::Connection::Mode::read).check();
-  return {check.is_damaged() ? check.text() : "", check.has_checksums};
+  return {check.is_damaged() ? check.text() : "", check.has_checksums, check.has_checksums ? "" : unverified(file)};
 }
 
 std::string study_json(const std::filesystem::path& file, const Watch& watch) {

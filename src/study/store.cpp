@@ -10,6 +10,7 @@
 
 #include "earthtop/results/provenance.hpp"
 #include "input/file.hpp"
+#include "results/number_ranges.hpp"
 #include "text/checksum.hpp"
 
 namespace earthtop::study {
@@ -254,6 +255,19 @@ std::string Store::fault_of_numbers() {
   return fmt::format("it has a point numbered {}, but its study has the points 0 to {}", outside.integer(0), planned - 1);
 }
 
+std::string Store::fault_of_values() {
+  Points all = points();
+  for (PointResult point; all.next(point);)
+    for (std::size_t i = 0; i < study_.quantities.size(); ++i) {
+      const std::string& path = study_.quantities[i].path;
+      const auto* number = std::get_if<double>(&point.values[i]);
+      const std::string_view wanted = number ? fault_of(range_of(path.substr(path.rfind('.') + 1)), *number) : "";
+      if (!wanted.empty())
+        return fmt::format("{} of point {} is {}, but must be {}", study_.quantities[i].name, point.number, *number, wanted);
+    }
+  return "";
+}
+
 StoreCheck Store::check() {
   StoreCheck check;
   check.has_checksums = has_checksums_;
@@ -262,6 +276,7 @@ StoreCheck Store::check() {
       sqlite::Statement pages(*connection_, "PRAGMA quick_check(1)");
       if (pages.step() && pages.text(0) != "ok") check.fault = "its pages are not in order";
       if (check.fault.empty()) check.fault = fault_of_numbers();
+      if (check.fault.empty()) check.fault = fault_of_values();
       check.intact = count();
     } catch (const FileError& error) {
       check.fault = fmt::format("it cannot be read to its end ({})", error.reason());

@@ -47,6 +47,7 @@ class Store {
   /// Replaces what is not part of a study's identity: title, finding, fits, figures. @param study has the same identity
   void adopt(const Study& study);
   const StudyShard& shard() const { return shard_; }
+  bool has_checksums() const { return has_checksums_; }
 
   std::uint64_t count() { return counted(""); }
   /// Number of points whose run was completed, so that it has values.
@@ -109,6 +110,7 @@ class Store {
   std::string contents_text(const Contents& contents) const;
   std::string fault_of_file();
   std::string fault_of_numbers();  ///< whether a point has a number that its study has not
+  std::string fault_of_values();   ///< whether a value is out of its range
   void pass_over(const std::vector<std::uint64_t>& numbers);
   /// Takes the points whose checksums a query gives out of the contents.
   void exclude(const std::string& query);

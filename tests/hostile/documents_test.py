@@ -6,6 +6,7 @@ belong together.
 usage: documents_test.py PROGRAM [--seed N] [--flips N] [--jobs N] [--only TEXT]
 
 Of every kind of document a copy is changed and given to the verb that reads it. Each must hold:
+  - as it was, it is read, without its checksum with a note;
   - with its checksum, a changed copy is refused by name (status 2), or it is equal in meaning;
   - without, it is refused, or the program says that it is not verified and every number in it is within its range;
   - a timing.json of another result, and a point of a study that the study has not, are refused by name;
@@ -18,6 +19,7 @@ import pathlib
 import re
 import shutil
 import sqlite3
+import tempfile
 import unicodedata
 
 from attack import Attack
@@ -53,23 +55,57 @@ RANGES = {
     "comparison": {"/pairs/*/quantities/*/tolerance": NOT_NEGATIVE, "/pairs/*/quantities/*/largest_difference": NOT_NEGATIVE,
                    "/pairs/*/quantities/*/share_used": NOT_NEGATIVE, "/pairs/*/quantities/*/error_bounds_sum": NOT_NEGATIVE,
                    "/pairs/*/quantities/*/compared": COUNT, "/pairs/*/quantities/*/violations": COUNT,
-                   "/pairs/*/rows_compared": COUNT, "/pairs/*/quantities/*/curve/tolerance/*": NOT_NEGATIVE,
-                   "/pairs/*/cost/*/new": NOT_NEGATIVE},
+                   "/pairs/*/quantities/*/interpolation_error": NOT_NEGATIVE, "/pairs/*/rows_compared": COUNT,
+                   "/pairs/*/quantities/*/curve/tolerance/*": NOT_NEGATIVE,
+                   "/pairs/*/quantities/*/curve/difference/*": NOT_NEGATIVE, "/pairs/*/cost/*/new": NOT_NEGATIVE,
+                   "/pairs/*/cost/*/reference": NOT_NEGATIVE, "/pairs/*/cost/*/ratio": NOT_NEGATIVE},
     "measurement": {"/chi_squared/*/p_value": PROBABILITY, "/chi_squared/*/value": NOT_NEGATIVE, "/correlation/*/*": CORRELATION,
+                    "/chi_squared/*/per_degree_of_freedom": NOT_NEGATIVE, "/chi_squared/*/of_priors": NOT_NEGATIVE,
                     "/least_p_value": PROBABILITY, "/estimates/*/standard_error": NOT_NEGATIVE, "/rows": COUNT,
-                    "/residuals/*/standard_error_rad": NOT_NEGATIVE, "/residuals/*/line": COUNT, "/fit/predictions": COUNT},
+                    "/estimates/*/standard_error_scaled": NOT_NEGATIVE, "/residuals/*/standard_error_rad": NOT_NEGATIVE,
+                    "/largest_residual/standard_error_rad": NOT_NEGATIVE, "/residuals/*/line": COUNT,
+                    "/largest_residual/line": COUNT, "/fit/predictions": COUNT, "/fit/iterations": COUNT,
+                    "/quantities/*/values": COUNT, "/prediction/reached_s": NOT_NEGATIVE,
+                    "/estimates/*/finding/limit_sigma": NOT_NEGATIVE, "/estimates/*/finding/from_zero_sigma": NOT_NEGATIVE,
+                    "/estimates/*/finding/known_standard_error": NOT_NEGATIVE, "/estimates/*/exact/*/misfit": NOT_NEGATIVE,
+                    "/estimates/*/exact/*/error_of_one_sigma": NOT_NEGATIVE},
     "plan": {"/estimates/*/standard_error": NOT_NEGATIVE, "/plan/quantities/*/standard_error": NOT_NEGATIVE, "/plan/rows": COUNT,
-             "/correlation/*/*": CORRELATION, "/variations/*/standard_error": NOT_NEGATIVE, "/variations/*/rows": COUNT,
-             "/plan/every_s": NOT_NEGATIVE},
-    "bench": {"/scenarios/*/entries/*/seconds": NOT_NEGATIVE, "/scenarios/*/entries/*/evaluations": COUNT,
-              "/scenarios/*/entries/*/error/axis_rad": NOT_NEGATIVE, "/scenarios/*/entries/*/repetitions": COUNT,
-              "/scenarios/*/reference/error/drift_rad": NOT_NEGATIVE,
-              "/scenarios/*/entries/*/relative_tolerance": NOT_NEGATIVE},
+             "/plan/values": COUNT, "/plan/until_s": NOT_NEGATIVE, "/plan/correlation_time_s": NOT_NEGATIVE,
+             "/plan/every_s": NOT_NEGATIVE, "/prediction/motions": COUNT, "/correlation/*/*": CORRELATION,
+             "/estimates/*/standard_error_alone": NOT_NEGATIVE, "/variations/*/standard_error": NOT_NEGATIVE,
+             "/variations/*/rows": COUNT, "/variations/*/factor": NOT_NEGATIVE, "/changes/*/standard_error": NOT_NEGATIVE,
+             "/variations/*/input_standard_error": NOT_NEGATIVE, "/changes/*/input_standard_error": NOT_NEGATIVE,
+             "/changes/*/rows": COUNT, "/changes/*/factor": NOT_NEGATIVE, "/optimum/standard_error": NOT_NEGATIVE,
+             "/optimum/rows": COUNT, "/optimum/evaluations": COUNT, "/optimum/avoided": COUNT,
+             "/estimates/*/finding/limit_sigma": NOT_NEGATIVE, "/estimates/*/finding/from_zero_sigma": NOT_NEGATIVE,
+             "/estimates/*/finding/known_standard_error": NOT_NEGATIVE, "/estimates/*/exact/*/misfit": NOT_NEGATIVE,
+             "/estimates/*/exact/*/error_of_one_sigma": NOT_NEGATIVE},
+    "bench": {"/scenarios/*/entries/*/seconds": NOT_NEGATIVE, "/scenarios/*/entries/*/seconds_least": NOT_NEGATIVE,
+              "/scenarios/*/entries/*/seconds_most": NOT_NEGATIVE, "/scenarios/*/entries/*/evaluations": COUNT,
+              "/scenarios/*/entries/*/steps": COUNT, "/scenarios/*/entries/*/rejected_steps": COUNT,
+              "/scenarios/*/entries/*/error/*": NOT_NEGATIVE, "/scenarios/*/entries/*/repetitions": COUNT,
+              "/scenarios/*/reference/error/*": NOT_NEGATIVE, "/scenarios/*/entries/*/relative_tolerance": NOT_NEGATIVE,
+              "/scenarios/*/duration_s": NOT_NEGATIVE, "/scenarios/*/checkpoints": COUNT,
+              "/scenarios/*/most_seconds": NOT_NEGATIVE, "/scenarios/*/largest_drift_rad": NOT_NEGATIVE,
+              "/scenarios/*/equal_error/*/costs/*/error_rad": NOT_NEGATIVE,
+              "/scenarios/*/equal_error/*/costs/*/seconds": NOT_NEGATIVE},
     "summary": {"/drift/axis_bound_rad": NOT_NEGATIVE, "/drift/attitude_bound_rad": NOT_NEGATIVE, "/outcome/rows": COUNT,
                 "/solution/steps_accepted": COUNT, "/certificate/right_hand_side_evaluations": COUNT,
                 "/attitude_bound_rad": NOT_NEGATIVE},
     "timing": {"/solution_s": NOT_NEGATIVE, "/certificate_s": NOT_NEGATIVE},
     "compact": {"/summary/drift/axis_bound_rad": NOT_NEGATIVE, "/summary/solution/steps_accepted": COUNT, "/row_count": COUNT},
+}
+# The other numbers of documents, which may be any. A new member must be in one of the two.
+FREE = {
+    "comparison": ["/pairs/*/quantities/*/at_s", "/pairs/*/quantities/*/first_violation_s", "/pairs/*/quantities/*/curve/t_s/*",
+                   "/pairs/*/compared_until_s", "/pairs/*/common_end_s"],
+    "measurement": ["/chi_squared/*/degrees_of_freedom", "/estimates/*/start", "/estimates/*/estimate", "/estimates/*/finding/known",
+                    "/estimates/*/finding/from_known_sigma", "/estimates/*/exact/*/value", "/estimates/*/exact/*/shift",
+                    *(f"{place}/{name}" for place in ("/residuals/*", "/largest_residual") for name in (
+                        "t_s", "measured_rad", "predicted_rad", "residual_rad", "normalised")), "/curve/*/*"],
+    "plan": ["/estimates/*/value", "/estimates/*/significance", "/estimates/*/finding/known", "/estimates/*/finding/from_known_sigma",
+             "/estimates/*/exact/*/value", "/estimates/*/exact/*/shift", "/optimum/choices/*/*", "/optimum/significance"],
+    "bench": ["/scenarios/*/entries/*/step_s"],
 }
 
 
@@ -87,6 +123,20 @@ def numbers_at(json_value, pointer):
             below += [(f"{at}/{key}", one) for key, one in items if step in ("*", str(key))]
         places = below
     return [(at, value) for at, value in places if isinstance(value, (int, float)) and not isinstance(value, bool)]
+
+
+def unknown_numbers(kind, document):
+    """The pointers of numbers of which nothing is said above."""
+    known = {at for pointer in (*ranges_of(kind), *FREE[kind]) for at, _ in numbers_at(document, pointer)}
+
+    def all_in(value, at):
+        if isinstance(value, (dict, list)):
+            for key, one in value.items() if isinstance(value, dict) else enumerate(value):
+                yield from all_in(one, f"{at}/{key}")
+        elif isinstance(value, (int, float)) and not isinstance(value, bool):
+            yield at
+
+    return [at for at in all_in(document, "") if at not in known]
 
 
 def out_of_range(kind, text):
@@ -130,7 +180,7 @@ class Documents(Attack):
                 "measurement": ["compare", "top.json", "measured.csv", "--estimate", "omega_sin_latitude_rad_s", "--estimate",
                                 "/release/azimuth_deg"],
                 "plan": ["plan", "top.json", "--measure", "azimuth_deg", "--sigma", "0.01", "--every", "0.5", "--nuisance",
-                         "spin_rad_s"],
+                         "spin_rad_s", "--optimise", "/release/tilt_deg=5:60"],
                 "bench": ["bench", "top.json", "--repetitions", "1", "--methods", "taylor"]}.items():
             (folder / f"{name}.json").write_text(earthtop(*arguments, "--json"))
         earthtop("study", "study.json", "--out", "done", "--quiet")
@@ -159,14 +209,15 @@ class Documents(Attack):
         for kind, (file, command) in DOCUMENTS.items():
             text = (good / file).read_bytes()
             for sort, whole in (("with checksum", text), ("without", without_checksum(text))):
+                yield f"{kind}, as it was", sort, file, command, whole, whole
                 for number, changed in enumerate(self.changes(whole)):
                     if changed != whole:
                         yield f"{kind}, {sort}", f"change {number}", file, command, changed, whole
             bare = without_checksum(text)
             for pointer, holds in ranges_of(kind).items():
                 found = numbers_at(json.loads(bare), pointer)
-                if not found:
-                    raise SystemExit(f"{kind} has no number at {pointer}")
+                if not found:  # another version may not have it
+                    continue
                 at, _ = self.random.choice(found)
                 for bad in (-1, 0.5 if holds is COUNT else None, 1.5 if holds in (PROBABILITY, CORRELATION) else None):
                     if bad is None or holds(bad):
@@ -192,6 +243,9 @@ class Documents(Attack):
             (work / "new/timing.json").unlink()
         end = self.run(*command.split(), cwd=work)
         faults = [] if end.status in (0, 1, 2) else [f"status {end.status}: {end.err[:200]}"]
+        if "as it was" in kind:
+            told = "has no checksums" in end.out + end.err
+            return faults + ([] if end.status != REFUSED and told == (name == "without") else [f"status {end.status}: {end.err[:200]}"])
         if end.status == REFUSED:
             named = file if "/" not in file else file.split("/")[0]
             if named not in end.err:
@@ -211,6 +265,11 @@ class Documents(Attack):
         if "has no checksums" not in end.out + end.err:
             faults.append("nothing says that it is not verified")
         return faults
+
+    def look_for_the_unknown(self):
+        for kind in FREE:
+            unknown = unknown_numbers(kind, json.loads((self.good / DOCUMENTS[kind][0]).read_text()))
+            self.note("number without a range", kind, unknown[:5])
 
     # Things that do not belong together -------------------------------------------------------------------------------
 
@@ -259,13 +318,12 @@ class Documents(Attack):
 
 
 def main():
-    import tempfile
-
     attack = Documents(__doc__, lambda parser: parser.add_argument("--flips", type=int, default=30))
     with tempfile.TemporaryDirectory() as temporary:
         attack.good = pathlib.Path(temporary) / "good"
         attack.good.mkdir()
         attack.make(attack.good)
+        attack.look_for_the_unknown()
         attack.all(attack.cases(attack.good), attack.attempt)
         attack.mix()
     attack.end()

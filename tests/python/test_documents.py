@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """explain, compare and report: the program's documents."""
 
+import contextlib
 import json
 import pickle
+import sqlite3
 import subprocess
+import xml.dom.minidom
 
 import pytest
 
@@ -191,6 +194,32 @@ def test_what_has_no_page(results, tmp_path):
     assert (tmp_path / "data.csv").read_text() == "1\n"
     with pytest.raises(et.FileError):
         et.report(results[0], "/proc/page.html")
+
+
+def test_names_of_results_are_text_wherever_they_go(results, tmp_path):
+    """A result is called by the name in its summary, which another may have written."""
+    name = "\"<script>alert(1)</script>'&"
+    hostile = pickle.loads(pickle.dumps(results[0]))
+    hostile.summary["name"] = name
+    compared = et.compare(hostile, results[1])
+    assert compared.document["reference"] == f"{name} (reference)" and json.loads(compared.text) == compared.document
+    for text in (compared.svg, compared.junit, compared._repr_html_()):
+        assert "<script" not in text
+    xml.dom.minidom.parseString(compared.junit)
+    page = et.report(compared, tmp_path / "page.html")  # its checksum is right
+    assert "<script>alert" not in page.read_text()
+
+
+def test_a_study_without_checksums_warns(tmp_path):
+    et.study(et.example("toy-top").changed(duration_s=1), {"latitude_deg": [10, 20]}, out=tmp_path)
+    et.load_study(tmp_path)
+    with contextlib.closing(sqlite3.connect(tmp_path / "study.sqlite")) as store, store:
+        store.execute("ALTER TABLE point DROP COLUMN row_checksum")
+        store.execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')")
+    with pytest.warns(et.UnverifiedWarning, match="study.sqlite has no checksums"):
+        assert len(et.load_study(tmp_path)) == 2
+    with pytest.warns(et.UnverifiedWarning, match="study.sqlite has no checksums"):
+        et.report(tmp_path, tmp_path / "page.html")
 
 
 def test_documents_pickle(results):

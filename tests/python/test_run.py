@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs: the program's digits, arrays, pickles, files."""
 
+import base64
 import copy
+import copyreg
 import json
 import pickle
+import re
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -194,6 +198,81 @@ def test_a_damaged_result_is_refused(name, tmp_path):
     (tmp_path / name).write_bytes(content)
     with pytest.raises(et.ScenarioError, match=f"{name}.* is damaged"):
         et.load_result(tmp_path)
+
+
+def without_checksums(directory):
+    for name in ("summary.json", "timing.json"):
+        document = {key: value for key, value in json.loads((directory / name).read_text()).items() if key not in ("files", "checksum")}
+        (directory / name).write_text(json.dumps(document, indent=2) + "\n")
+
+
+def test_results_without_checksums_warn(tmp_path):
+    r = et.run(et.example("toy-top"), duration_s=1)
+    r.save(tmp_path / "r")
+    et.load_result(tmp_path / "r")  # warnings are errors here
+    without_checksums(tmp_path / "r")
+    with pytest.warns(et.UnverifiedWarning, match="r has no checksums, since an older earthtop wrote it: damage to it would go "
+                                                  "unnoticed") as caught:
+        again = et.load_result(tmp_path / "r")
+    assert [Path(one.filename).name for one in caught] == ["test_run.py"], "of the caller's line"
+    assert np.array_equal(again.q_LB, r.q_LB)
+    with pytest.warns(et.UnverifiedWarning, match="r has no checksums"):
+        et.report(tmp_path / "r", tmp_path / "page.html")
+    assert "Note: " in (tmp_path / "page.html").read_text()
+
+
+def test_a_timing_of_another_result_is_refused(tmp_path):
+    for latitude in (10, 20):
+        et.run(et.example("toy-top"), duration_s=1, latitude_deg=latitude).save(tmp_path / str(latitude))
+    (tmp_path / "10/timing.json").write_bytes((tmp_path / "20/timing.json").read_bytes())
+    with pytest.raises(et.ScenarioError, match="timing.json.* belongs to another result"):
+        et.load_result(tmp_path / "10")
+
+
+def test_a_damaged_pickle_is_refused():
+    r = et.run(et.example("toy-top"), duration_s=1)
+    good = pickle.dumps(r)
+    digit = good.index(r._files["trajectory.csv"].splitlines()[3].encode()) + 20
+    for at in (digit, digit + 1, len(good) // 2, len(good) // 4):
+        damaged = bytearray(good)
+        damaged[at] ^= 1
+        with pytest.raises(et.ScenarioError, match="the pickle is damaged: it is not what was written; make it anew"):
+            pickle.loads(bytes(damaged))
+
+
+class _AsOlder:
+    """Is pickled as an older earthtop has pickled an object: its class and its state."""
+
+    def __init__(self, made):
+        self._made = made
+
+    def __reduce__(self):
+        return copyreg._reconstructor, (type(self._made), object, None), self._made.__getstate__()
+
+
+def test_pickles_of_an_older_earthtop_are_read_with_a_warning():
+    r = et.run(et.example("toy-top"), duration_s=1)
+    for made in (r, et.explain(et.example("toy-top"), duration_s=1)):
+        with pytest.warns(et.UnverifiedWarning, match="the pickle has no checksum, since an older earthtop wrote it"):
+            again = pickle.loads(pickle.dumps(_AsOlder(made)))
+        assert repr(again) == repr(made)
+
+
+def test_a_copy_of_a_result_is_the_same():
+    r = et.run(et.example("toy-top"), duration_s=1)
+    for again in (copy.copy(r), copy.deepcopy(r)):
+        assert np.array_equal(again.q_LB, r.q_LB) and again.summary == r.summary
+
+
+def test_pictures_of_files_are_shown_as_images(tmp_path):
+    et.run(et.example("toy-top"), duration_s=1).save(tmp_path)
+    without_checksums(tmp_path)
+    (tmp_path / "drift.svg").write_text("<svg onload='alert(1)'><script>alert(2)</script></svg>")
+    with pytest.warns(et.UnverifiedWarning):
+        r = et.load_result(tmp_path)
+    html = r._repr_html_()
+    assert r.svg.startswith("<svg onload") and "alert" not in html and "<script" not in html and "<svg" not in html
+    assert base64.b64decode(re.search('src="data:image/svg[+]xml;base64,([^"]*)"', html)[1]).decode() == r.svg
 
 
 def test_errors_of_files(tmp_path):

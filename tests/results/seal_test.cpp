@@ -155,6 +155,68 @@ TEST_F(Damage, IsSeenByTheFormatWhereThereAreNoChecksums) {
   }
 }
 
+/// A timing.json of another run is told apart by the checksum of the summary, whoever reads it.
+TEST_F(Damage, IsATimingOfAnotherResult) {
+  constexpr const char* kWords =
+      "timing.json: error: belongs to another result than the summary.json beside it; remove it, or run the scenario again";
+  const fs::path other = temporary_.path() / "other";
+  write_results(test::made_up_run(), dir_, false);
+  write_results(test::made_up_run_with_ledger(), other, false);
+  const std::string good = read(dir_ / "timing.json");
+  const auto refusal = [&](const auto& reader) {
+    try {
+      reader();
+      return std::string("accepted");
+    } catch (const ScenarioError& error) {
+      return std::string(error.what());
+    }
+  };
+  const auto texts = [&] { read_result_texts(dir_); };
+  const auto page = [&] { make_report(dir_); };
+  const auto comparison = [&] { compare_results(dir_, dir_, {}); };
+  for (const auto& found : {refusal(texts), refusal(page), refusal(comparison)}) EXPECT_EQ(found, "accepted");
+  put(dir_ / "timing.json", read(other / "timing.json"));
+  for (const auto& found : {refusal(texts), refusal(page), refusal(comparison)})
+    EXPECT_NE(found.find(kWords), std::string::npos) << found;
+  put(dir_ / "timing.json", sealed(unsealed(good)));  // as an older version wrote it: it names no summary
+  for (const auto& found : {refusal(texts), refusal(page), refusal(comparison)}) EXPECT_EQ(found, "accepted");
+  put(dir_ / "timing.json", read(other / "timing.json"));
+  put(dir_ / "summary.json", summary_json(test::made_up_run()));  // edited, perhaps: nothing is known
+  for (const auto& found : {refusal(texts), refusal(page), refusal(comparison)}) EXPECT_EQ(found, "accepted");
+}
+
+TEST_F(Damage, ThatWouldGoUnnoticedIsNoted) {
+  const auto notes = [&] {
+    const Report page = make_report(dir_);
+    std::vector<std::string> found;
+    read_result_texts(dir_, &found);
+    EXPECT_EQ(found, page.notes);
+    EXPECT_EQ(page.html.find("<p class=\"note\">Note: ") != std::string::npos, !found.empty());
+    return found;
+  };
+  const std::string words = " has no checksums, since an older earthtop wrote it: damage to it would go unnoticed";
+  write_results(test::made_up_run(), dir_, false);
+  const std::string good = read(dir_ / "summary.json");
+  EXPECT_TRUE(notes().empty());
+  put(dir_ / "timing.json", timing_json(test::made_up_run()));
+  EXPECT_EQ(notes(), std::vector<std::string>{(dir_ / "timing.json").string() + words});
+  put(dir_ / "summary.json", summary_json(test::made_up_run()));
+  EXPECT_EQ(notes(), std::vector<std::string>{dir_.string() + words});
+}
+
+TEST(SealOfADocument, IsRenewedAfterAChange) {
+  const std::string document = sealed_document({{"a", "\u202e"}, {"b", 0.1}});
+  EXPECT_EQ(seal_of(document), Seal::fits);
+  EXPECT_NE(document.find("\\u202e"), std::string::npos) << "what is invisible is written as an escape";
+  std::string changed = document;
+  changed.replace(changed.find("0.1"), 3, "0.2");
+  EXPECT_EQ(seal_of(changed), Seal::broken);
+  EXPECT_EQ(seal_of(resealed(changed)), Seal::fits);
+  EXPECT_EQ(resealed(document), document);
+  EXPECT_EQ(seal_of(resealed("{\"a\": 1}")), Seal::fits);
+  EXPECT_EQ(resealed("{}"), "{}");
+}
+
 TEST_F(Damage, OfTheListOfFilesReadsNoOthers) {
   for (const char* files :
        {R"({"/dev/zero": "0"})", R"({"../results/drift.svg": "0"})", R"({"": "0"})", R"({"drift.svg": 1})", "[]"})

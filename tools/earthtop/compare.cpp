@@ -173,6 +173,7 @@ int compare_verb(const CompareArguments& arguments) {
   const CompareReport report = compare_watched(arguments);
   if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
   if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));
+  if (!arguments.quiet) print_notes(report.unverified());
   if (arguments.json)
     print(comparison_json(report));
   else if (!arguments.quiet)

@@ -2,8 +2,10 @@
 #include "output.hpp"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -60,6 +62,12 @@ void write_at_once(int descriptor, std::string_view text) noexcept {
 void message(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void print_notes(const std::vector<std::string>& notes) {
+  constexpr std::size_t kMost = 8;
+  for (std::size_t i = 0; i < std::min(notes.size(), kMost); ++i) message("note: " + notes[i]);
+  if (notes.size() > kMost) message(fmt::format("note: and {} more notes of this kind", notes.size() - kMost));
 }
 
 int end_quietly() {

@@ -40,6 +40,8 @@ void write_at_once(int descriptor, std::string_view text) noexcept;
 
 /// Writes a line to standard error; failures are ignored.
 void message(std::string_view line);
+/// Prints notes as messages; of many the first ones, and the number of the others.
+void print_notes(const std::vector<std::string>& notes);
 
 /// Whether standard output is a terminal that wants colours (NO_COLOR is honoured).
 bool wants_color();

@@ -24,8 +24,7 @@ struct ReportArguments {
 
 int report_verb(const ReportArguments& arguments) {
   const Report report = make_report(arguments.what);
-  if (!arguments.quiet)
-    for (const std::string& note : report.notes) message("note: " + note);
+  if (!arguments.quiet) print_notes(report.notes);
   const std::filesystem::path page = arguments.out ? std::filesystem::path(*arguments.out) : report_file(arguments.what);
   std::vector<std::string> written = {page.string()};
   std::error_code error;

@@ -119,10 +119,11 @@ struct PairReport {
   std::string reference, candidate;
   std::string refusal;  ///< why the two cannot be compared; then all else is empty
   std::vector<CompareFinding> findings;
-  std::vector<std::string> notes;  ///< what was not compared, and what was allowed
-  std::vector<std::string> hints;  ///< guesses at the cause of a large difference
-  std::uint64_t rows = 0;          ///< number of rows compared
-  std::optional<double> until_s;   ///< later rows were not compared, because a result's verdict does not trust them
+  std::vector<std::string> notes;       ///< what was not compared, and what was allowed
+  std::vector<std::string> unverified;  ///< sentences on files without checksums
+  std::vector<std::string> hints;       ///< guesses at the cause of a large difference
+  std::uint64_t rows = 0;               ///< number of rows compared
+  std::optional<double> until_s;        ///< later rows were not compared, because a result's verdict does not trust them
   std::optional<CommonEnd>
       common_end;  ///< where runs of unlike lengths, which was allowed, were compared up to the shorter's end
   std::vector<LeftOut> left_out;
@@ -137,7 +138,8 @@ struct CompareReport {
   std::string tolerances_file;
   std::vector<PairReport> pairs;
   bool passed() const;
-  bool refused() const;  ///< whether at least one of the pairs was refused
+  bool refused() const;                         ///< whether at least one of the pairs was refused
+  std::vector<std::string> unverified() const;  ///< the sentences of all pairs on files without checksums, each once
 };
 
 /// Compares two results, two directories of results, two study stores, or a foreign CSV with any of the first.

@@ -78,6 +78,7 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
 struct StudyStoreCheck {
   std::string damage;         ///< what is wrong, with the numbers of the points, and the remedy; empty where nothing is
   bool has_checksums = true;  ///< false: a store from before points were stored with checksums, of which nothing is known
+  std::string note;           ///< a sentence on that; empty where it has checksums
 };
 /// Reads all points of a store and holds them against their checksums.
 /// @throws ScenarioError if it is not a store, or if its record of its study is damaged

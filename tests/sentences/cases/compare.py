@@ -108,7 +108,19 @@ OF_REFERENCES = [
     refused("the number of cells in a row is not the number of columns, or a row has no time", {"/rows/1": [1]}),
 ]
 
+def comparison(**members):
+    """The files of a document of a comparison."""
+    document = {"$schema": "earthtop-comparison-1.json", "verdict": "same", "pairs": [], **members}
+    return {"c.json": json.dumps(document, indent=2) + "\n"}
+
+
 OF_PATHS = [
+    *told(["c.json: error: is damaged: its contents are not what was written; write it anew; if you have changed it yourself, remove its "
+           'member "checksum"'], comparison(checksum="0123456789abcdef"), 2, comparison(), command="report c.json"),
+    *told("note: c.json has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", comparison(), 0,
+          command="report c.json"),
+    *told("c.json: error: /least_p_value: is 1.1757, but must be a probability, from 0 to 1: the file is not as earthtop wrote it; "
+          "write it anew", comparison(least_p_value=1.1757), 2, comparison(least_p_value=0.17), command="report c.json"),
     *told("ref.json: error: is damaged: its contents are not what was written",
           {**results(), "ref.json": json.dumps({**reference(), "checksum": "0123456789abcdef"}, indent=2) + "\n"}, 2,
           {**results(), "ref.json": json.dumps(reference(), indent=2) + "\n"}, command="compare ref.json new"),
@@ -116,8 +128,8 @@ OF_PATHS = [
           "file, say with "
           "--mapping what its columns mean", {**results("old"), "new.csv": csv("t_s,x", ROWS)}, 2,
           {**results("old"), "new.csv": csv(DRIFT, ROWS)}, command="compare old new.csv"),
-    *told("does not state its number of rows (/outcome/rows), a whole number", both(stated=2.5), 2, both()),
-    *told("timing.json: error: is damaged: run the scenario again",
+    *told("does not state its number of rows (/outcome/rows), a whole number", both(stated="3"), 2, both()),
+    *told("timing.json: error: is damaged: its contents are not what was written; run the scenario again",
           both(timing={"solution_s": 1.0, "checksum": "0123456789abcdef"}), 2, both(timing={"solution_s": 1.0})),
     *told("the path is empty; give a directory of results, a study store, or a file", both(), 2, command="compare '' new"),
     *told("there is no such file or directory; check the path", both(), 2, command="compare old neu"),
@@ -184,6 +196,8 @@ OF_SCENARIOS = [
                provenance={"scenario_sha256": OTHER_HASH}), 0, both(), command=PAIR + " --all --allow-change /"),
     *told("not compared: largest values, swings and turns seen, since one of the results is of an older version",
           both(), 0, both(old={"drift": {"axis_max_at_s": None}}, drift={"axis_max_at_s": None}), command=PAIR + " --all"),
+    *told("note: and 10 more notes of this kind", {key: text for i in range(9) for old in ("old", "new")
+                                                   for key, text in results(f"{old}/{i}").items()}, 0, both()),
     *told("new has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", both(), 0,
           command=PAIR + " --all"),
 ]

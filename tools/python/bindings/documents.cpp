@@ -47,7 +47,7 @@ py::tuple compared(const std::string& reference, const std::string& candidate, c
     options.watch = watch.part(0, 1, "rows");
     return compare_results(reference, candidate, options);
   });
-  return py::make_tuple(comparison_json(report), svg(comparison_figure(report)), comparison_junit(report));
+  return py::make_tuple(comparison_json(report), svg(comparison_figure(report)), comparison_junit(report), report.unverified());
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void bind_documents(py::module_& module) {
   module.def("compare", &compared, py::arg("reference"), py::arg("candidate"), py::arg("profile"), py::arg("tolerances"),
              py::arg("mapping"), py::arg("may_change"), py::arg("may_lack_rows"), py::arg("steps_ratio"),
              py::arg("seconds_ratio"), py::arg("on_progress"),
-             "Compares what two paths hold: (document, picture as SVG, JUnit XML).");
+             "Compares what two paths hold: (document, picture as SVG, JUnit XML, notes on what could not be verified).");
   module.def(
       "make_report",
       [](const std::filesystem::path& what) {

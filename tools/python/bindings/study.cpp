@@ -81,6 +81,12 @@ void bind_study(py::module_& module) {
         return result_of(py::none(), [&](const Watch& watch) { return study_json(store_of(given), watch); });
       },
       py::arg("store"), "The document of a study's store.");
+  module.def(
+      "study_note",
+      [](const fs::path& given) {
+        return result_of(py::none(), [&](const Watch&) { return check_study_store(store_of(given)).note; });
+      },
+      py::arg("store"), "A sentence on a store that has no checksums; empty where it has some.");
 }
 
 }  // namespace earthtop::python

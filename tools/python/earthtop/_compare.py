@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
 from . import _core
 from ._documents import Document, errors_named, plain_json, renamed, table
+from ._errors import warn
 from ._progress import Progress, Reporter
 from ._result import Result
 from ._scenario import pointer_of
@@ -170,7 +171,8 @@ def compare(reference: "Comparable", new: "Comparable", *, profile: str = "",
         texts = _core.compare(paths.of_results(reference, "reference"), paths.of_results(new, "new"), profile,
                               paths.of_table(tolerances, "tolerances"), paths.of_table(mapping, "mapping"), pointers,
                               may_lack_rows, steps_ratio, seconds_ratio, reporter)
-    document, svg, junit = texts
+    document, svg, junit, notes = texts
+    warn(renamed(note, paths.names) for note in notes)
     in_markup = {path: escape(name) for path, name in paths.names.items()}
     document = _core.resealed(renamed(document, {path: json.dumps(name)[1:-1] for path, name in paths.names.items()}))
     return Comparison(document, renamed(svg, in_markup), renamed(junit, in_markup))

@@ -15,7 +15,7 @@ import numpy as np
 
 from . import _core
 from ._documents import errors_named, plain_json
-from ._errors import refuse
+from ._errors import refuse, warn
 from ._progress import Progress, Reporter
 from ._scenario import Scenario, ScenarioLike, as_scenario, pointer_of
 
@@ -125,6 +125,8 @@ def study(base: ScenarioLike, axes: Optional[Axes] = None, *, collect: Optional[
 def load_study(path: Union[str, os.PathLike]) -> "pandas.DataFrame":
     """Reads the points of a study that ``earthtop.study`` or ``earthtop study`` has computed, or has begun to compute.
 
+    An ``UnverifiedWarning`` tells of a store without checksums.
+
     Parameters
     ----------
     path : str or path
@@ -142,6 +144,8 @@ def load_study(path: Union[str, os.PathLike]) -> "pandas.DataFrame":
     """
     given = os.fspath(path)
     with errors_named():
+        note = _core.study_note(given)
+        warn([note] if note else [])
         return _frame(given, _core.study_json(given), given)
 
 
