@@ -40,7 +40,7 @@ struct Mark {
 class Page {
  public:
   /// @param notes  sentences on what could not be verified
-  Page(std::string kind, std::string title, std::vector<std::string> notes);
+  Page(std::string kind, std::string title, std::vector<std::string> notes = {});
 
   /// Sets the sentence under the title; HTML.
   void headline(std::string html) { headline_ = std::move(html); }
