@@ -217,6 +217,10 @@ def make_good(program, folder):
     def write(name, document):
         (folder / name).write_text(json.dumps(document))
 
+    def write_unsealed(name, text):
+        """Writes a document without its checksums, so that other damage is what is found."""
+        write(name, {key: value for key, value in json.loads(text).items() if key not in ("checksum", "files")})
+
     for name, document in {"top.json": TOP, "platform.json": PLATFORM, "study.json": STUDY, "mapping.json": MAPPING,
                            "tolerances.json": TOLERANCES, "bench.json": BENCH}.items():
         write(name, document)
@@ -226,25 +230,17 @@ def make_good(program, folder):
     for name in ("new.csv", "foreign.csv"):
         shutil.copy(folder / "old/trajectory.csv", folder / name)
     shutil.copytree(folder / "old", folder / "plain")  # without checksums, as older results are
-    for name in ("summary.json", "timing.json"):
-        document = json.loads((folder / "plain" / name).read_text())
-        document.pop("checksum")
-        document.pop("files", None)
-        write(f"plain/{name}", document)
+    for name in ("plain/summary.json", "plain/timing.json"):
+        write_unsealed(name, (folder / name).read_text())
     earthtop("compare", "kept", "old", "--update", "--reason", "first")
     earthtop("compare", "reference.json", "old", "--update", "--reason", "first")
-    reference = json.loads((folder / "reference.json").read_text())
-    reference.pop("checksum", None)
-    write("reference.json", reference)
-    (folder / "comparison.json").write_bytes(earthtop("compare", "plain", "old", "--json"))
-    (folder / "measurement.json").write_bytes(earthtop("compare", "top.json", "measured.csv", "--json"))
-    (folder / "plan.json").write_bytes(earthtop("plan", "top.json", "--measure", "drift_azimuth_rad", "--sigma", "1e-6", "--every",
-                                                "0.5", "--json"))
+    write_unsealed("reference.json", (folder / "reference.json").read_text())
+    write_unsealed("comparison.json", earthtop("compare", "plain", "old", "--json"))
+    write_unsealed("measurement.json", earthtop("compare", "top.json", "measured.csv", "--json"))
+    write_unsealed("plan.json", earthtop("plan", "top.json", "--measure", "drift_azimuth_rad", "--sigma", "1e-6", "--every", "0.5",
+                                         "--json"))
     earthtop("study", "study.json", "--out", "done", "--quiet")
-    document = json.loads((folder / "done/study.json").read_text())
-    for key in ("checksum", "files"):
-        document.pop(key, None)
-    write("done/study.json", document)
+    write_unsealed("done/study.json", (folder / "done/study.json").read_text())
     with sqlite3.connect(folder / "done/study.sqlite") as store:  # as older stores are
         store.execute("ALTER TABLE point DROP COLUMN row_checksum")
         store.execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')")
