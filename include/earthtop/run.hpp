@@ -272,8 +272,7 @@ struct RunOptions {
 /// Runs a scene, or the scene of a scenario. The result depends on the scene only; the watch is the only side effect.
 /// Numerical trouble is reported in the result's status, and the rows before it are kept. A run that was asked to stop has no
 /// rows, except with `RunOptions::partial`: then its bounds are NaN and its verdict is `unassessed`.
-/// @throws ScenarioError for a scene that cannot be run; ArithmeticError where the processor does not round to nearest, or
-/// flushes subnormal numbers to zero
+/// @throws ScenarioError for a scene that cannot be run; ArithmeticError for what `arithmetic_faults` finds
 RunResult run(const Scene& scene, const RunOptions& options = {});
 
 /// Estimates, within a factor of a few, the time (s) that a run takes on one core, with its assessments and the choice of

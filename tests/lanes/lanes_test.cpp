@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cfenv>
 #include <cmath>
 #include <limits>
 
@@ -91,6 +92,40 @@ TEST(MotionLanes, AreTheScalarSeries) {
     }
   }
 }
+
+#if defined(__GLIBC__)
+/// Lanes without a point compute with numbers that are none. A host that traps exceptions does not see them, nor are its traps
+/// and flags others afterwards.
+TEST(Lanes, RaiseNoTraps) {
+  const std::vector<Scenario> scenes = tops(11);
+  const auto motions = problems_of<MotionProblem<double>>(scenes);
+  const auto drifts = problems_of<DriftProblem<double>>(scenes);
+  const IntegrationOptions options = reduced(Method::taylor, Observer::laboratory);
+  IntegrationOptions general = reduced(Method::taylor, Observer::body);
+  general.form = ModelForm::general;
+  constexpr int kTraps = FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW;
+  for (const InstructionSet set : instruction_sets()) {
+    const auto numbers = [&] {
+      std::vector<std::vector<std::uint64_t>> bits;
+      for (const MotionSought sought : {MotionSought::attitude, MotionSought::symmetry_axis})
+        for (const auto& one : integrate_motion_in_lanes(motions, options, sought, {}, set)) bits.push_back(bits_of(one));
+      for (const auto& one : integrate_drift_in_lanes(drifts, options, {}, set)) bits.push_back(bits_of(one));
+      for (const auto& one : integrate_drift_in_lanes(drifts, general, {}, set)) bits.push_back(bits_of(one));
+      return bits;
+    };
+    const auto expected = numbers();
+    std::feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(kTraps);
+    const int before = fegetexcept();
+    const auto got = numbers();
+    const int after = fegetexcept(), raised = std::fetestexcept(kTraps);
+    fedisableexcept(kTraps);
+    EXPECT_EQ(got, expected);
+    EXPECT_EQ(after, before);
+    EXPECT_EQ(raised, 0);
+  }
+}
+#endif
 
 TEST(MotionLanes, OfAnyToleranceMeetIt) {
   const auto problems = problems_of<MotionProblem<double>>(tops(16));

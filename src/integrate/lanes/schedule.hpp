@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/arithmetic.hpp"
 #include "earthtop/elementary.hpp"
 #include "integrate/drive_options.hpp"
 #include "integrate/group_norms.hpp"
@@ -245,8 +246,11 @@ class Schedule {
   std::array<Row, kMostVariables> seen_{};
 };
 
+/// Runs a batch. Lanes without a point and lanes that end compute with numbers that may overflow or be none; nobody sees them, and
+/// a host that traps such exceptions must not, either.
 template <class Point, class Arguments>
 void run_in_lanes(const Plan& plan, std::size_t count, const Arguments& arguments) {
+  const NoTraps held;
   Schedule<Point, Arguments>(plan, count, arguments).run();
 }
 
