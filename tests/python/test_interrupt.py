@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C, threads, progress and memory."""
+"""Ctrl-C, threads, the processor's state, progress and memory."""
 
+import ctypes
 import os
+import platform
 import threading
 from pathlib import Path
 
@@ -70,18 +72,49 @@ def test_progress_is_told_and_may_end_a_run():
         et.run(et.example("toy-top"), duration_s=200000, output_step_s=1, progress=enough)
 
 
-def test_another_state_of_the_processor_does_not_change_digits():
-    """A library compiled with -ffast-math flushes subnormal numbers to zero in the thread that loads it."""
-    import ctypes
+STATES = {"rounding upward": (0x800, 0, 0x4000, 0), "53 bits of x87": (0x200, 0x300, 0, 0), "24 bits of x87": (0, 0x300, 0, 0),
+          "flushing to zero": (0, 0, 0x8040, 0), "trapping": (0, 0xD, 0, 0xD << 7)}
 
-    libm = ctypes.CDLL("libm.so.6")
-    expected = et.run(et.example("toy-top"), duration_s=1).q_LB
-    libm.fesetround(0x800)  # upward, of x86
-    try:
-        found = et.run(et.example("toy-top"), duration_s=1).q_LB
-    finally:
-        libm.fesetround(0)
-    assert np.array_equal(found, expected)
+
+class State:
+    """Bits set and cleared in x87's control word, then in MXCSR."""
+
+    def __init__(self, set_x87, clear_x87, set_mxcsr, clear_mxcsr):
+        self.libm, self.before = ctypes.CDLL("libm.so.6"), ctypes.create_string_buffer(32)
+        self.libm.fegetenv(self.before)
+        x87, mxcsr = self.controls(self.before)
+        self.mine = ctypes.create_string_buffer(self.before.raw, 32)
+        ctypes.c_uint16.from_buffer(self.mine, 0).value = x87 & ~clear_x87 | set_x87
+        ctypes.c_uint32.from_buffer(self.mine, 28).value = mxcsr & ~clear_mxcsr | set_mxcsr
+
+    @staticmethod
+    def controls(environment):
+        return ctypes.c_uint16.from_buffer(environment, 0).value, ctypes.c_uint32.from_buffer(environment, 28).value & 0xFFC0
+
+    def __enter__(self):
+        self.libm.fesetenv(self.mine)
+
+    def __exit__(self, *_):
+        after = ctypes.create_string_buffer(32)
+        self.libm.fegetenv(after)
+        self.libm.fesetenv(self.before)
+        assert self.controls(after) == self.controls(self.mine)  # the caller's setting is kept
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64" or platform.system() != "Linux", reason="sets x86's control words")
+@pytest.mark.parametrize("state", STATES)
+def test_another_state_of_the_processor_does_not_change_digits(state):
+    """A library compiled with -ffast-math flushes subnormal numbers to zero in the thread that loads it."""
+    top = et.example("toy-top").changed(duration_s=1, precision="long_double")
+
+    def digits():
+        scene, r = top.changed(duration_s=1.5).scene(), et.run(top)
+        return r, r.svg, scene.canonical, scene.top, scene.estimated_seconds
+
+    expected, *others = digits()
+    with State(*STATES[state]):
+        found, *found_others = digits()
+    assert found.summary == expected.summary and np.array_equal(found.q_LB, expected.q_LB) and found_others == others
 
 
 @pytest.mark.extra

@@ -5,8 +5,9 @@
 
 namespace earthtop::python {
 
-/// While it lives, the thread rounds to nearest and keeps subnormal numbers. Other libraries in the process may have changed that:
-/// those compiled with -ffast-math do so in the thread that loads them, and new threads inherit it.
+/// While it lives, the thread rounds to nearest, keeps subnormal numbers and all digits of long double, and traps nothing. Other
+/// libraries in the process may have changed that: those compiled with -ffast-math do so in the thread that loads them, and new
+/// threads inherit it.
 class DefaultArithmetic {
  public:
   DefaultArithmetic() {

@@ -76,9 +76,9 @@ py::list kinds(const std::vector<RowArray>& arrays) {
   return list;
 }
 
-/// A function of a result that makes a text.
+/// A function that makes something of a result, with default arithmetic.
 template <class Make>
-auto text_of(Make make) {
+auto made_of(Make make) {
   return [make](const std::shared_ptr<RunResult>& self) {
     const DefaultArithmetic arithmetic;
     return make(*self);
@@ -91,16 +91,16 @@ void bind_results(py::module_& module) {
   using Class = py::class_<RunResult, std::shared_ptr<RunResult>>;
   using Self = const std::shared_ptr<RunResult>&;
   Class(module, "RunResult", "What a run returns.")
-      .def("row_arrays", [](Self self) { return described(row_arrays(*self), self); })
-      .def("look_arrays", [](Self self) { return described(look_arrays(*self), self); })
+      .def("row_arrays", [](Self self) { return described(made_of(row_arrays)(self), self); })
+      .def("look_arrays", [](Self self) { return described(made_of(look_arrays)(self), self); })
       .def_property_readonly("looks_a_window", [](Self self) { return self->looks_a_window; })
-      .def("torque_arrays", [](Self self) { return described(torque_arrays(*self), self); })
-      .def("summary_json", text_of(summary_json))
-      .def("timing_json", text_of(timing_json))
-      .def("drift_svg", text_of([](const RunResult& result) { return svg(drift_figure(result)); }))
-      .def("trajectory_csv", text_of(trajectory_csv))
+      .def("torque_arrays", [](Self self) { return described(made_of(torque_arrays)(self), self); })
+      .def("summary_json", made_of(summary_json))
+      .def("timing_json", made_of(timing_json))
+      .def("drift_svg", made_of([](const RunResult& result) { return svg(drift_figure(result)); }))
+      .def("trajectory_csv", made_of(trajectory_csv))
       .def("torques_csv",
-           [](Self self) -> py::object { return self->ledger ? py::object(py::str(torques_csv(*self))) : py::none(); })
+           [](Self self) -> py::object { return self->ledger ? py::object(py::str(made_of(torques_csv)(self))) : py::none(); })
       .def("write", [](Self self, const std::filesystem::path& dir, bool force) {
         wait_for(py::none(), [&](const Watch& watch) { write_results(*self, dir, force, watch); });
       });

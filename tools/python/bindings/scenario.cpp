@@ -10,21 +10,33 @@
 #include "errors.hpp"
 
 namespace earthtop::python {
+namespace {
+
+/// A property of a scene, computed with default arithmetic.
+template <class Get>
+auto property(Get get) {
+  return [get](const Scene& scene) {
+    const DefaultArithmetic arithmetic;
+    return get(scene);
+  };
+}
+
+}  // namespace
 
 void bind_scenario(py::module_& module) {
   py::class_<Scene>(module, "Scene", "A scenario that has been checked and resolved; it never changes.")
       .def_property_readonly("name", [](const Scene& scene) { return scene.scenario().name; })
-      .def_property_readonly("sha256", [](const Scene& scene) { return scene.sha256(); })
+      .def_property_readonly("sha256", property([](const Scene& scene) { return scene.sha256(); }))
       .def_property_readonly(
-          "canonical", [](const Scene& scene) { return canonical_json(scene.scenario()); },
+          "canonical", property([](const Scene& scene) { return canonical_json(scene.scenario()); }),
           "canonical text of the scenario: one line of JSON with every default written out")
       .def_property_readonly(
-          "top", [](const Scene& scene) { return top_json(scene); }, "figures of the top, as JSON")
-      .def_property_readonly("method", [](const Scene& scene) { return std::string(to_string(scene.choice().options.method)); })
-      .def_property_readonly("estimated_seconds", [](const Scene& scene) { return estimated_run_seconds(scene); })
-      .def_property_readonly("rows", [](const Scene& scene) {
+          "top", property([](const Scene& scene) { return top_json(scene); }), "figures of the top, as JSON")
+      .def_property_readonly("method", property([](const Scene& scene) { return std::string(to_string(scene.choice().options.method)); }))
+      .def_property_readonly("estimated_seconds", property([](const Scene& scene) { return estimated_run_seconds(scene); }))
+      .def_property_readonly("rows", property([](const Scene& scene) {
         return output_times(scene.scenario().duration_s, scene.scenario().output_step_s).size();
-      });
+      }));
 
   module.def(
       "examine",

@@ -16,7 +16,7 @@ namespace earthtop::python {
 /// and the exception is passed on once it has stopped.
 /// @param on_progress  Python callable that takes the share done (0 to 1) and the phase, called about ten times a second and
 /// once at the end; or None
-/// @param work  is called once, in another thread, with rounding and subnormal numbers as IEEE 754 has them by default
+/// @param work  is called once, in another thread, with the arithmetic that IEEE 754 has by default
 /// @throws what the work throws; error_already_set from a signal handler or `on_progress`
 void wait_for(const pybind11::object& on_progress, const std::function<void(const Watch&)>& work);
 
