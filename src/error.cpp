@@ -3,6 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+#include <new>
+#include <system_error>
+#include <type_traits>
+
+#include "earthtop/arithmetic.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop {
@@ -106,6 +112,19 @@ std::string format_diagnostic(std::string_view file, const Diagnostic& given, st
   text += fmt::format("{}: ", severity);
   if (!diagnostic.pointer.empty()) text += diagnostic.pointer + ": ";
   return printable(text + diagnostic.message);
+}
+
+std::string plain_words(const std::exception& error) {
+  const auto is_own = [&]<class... Kinds>(std::type_identity<Kinds>...) {
+    return ((dynamic_cast<const Kinds*>(&error) != nullptr) || ...);
+  };
+  if (is_own(std::type_identity<ScenarioError>(), std::type_identity<FileError>(), std::type_identity<ArithmeticError>()))
+    return error.what();
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory; ask for fewer rows, or end other programs";
+  if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return fmt::format("{}: {}", printable(of_file->path1().string()), of_file->code().message());
+  if (const auto* of_system = dynamic_cast<const std::system_error*>(&error)) return of_system->code().message();
+  return "a defect of earthtop, and not of what it was given; please report it with the command and its files";
 }
 
 std::string_view to_string(RunStatus status) {

@@ -3,6 +3,7 @@
 /// during an integration is a returned status.
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -56,6 +57,10 @@ class ReadError : public FileError {
 class WriteError : public FileError {
   using FileError::FileError;
 };
+
+/// What an exception of any kind says to a user: the text of one of the above; for others of the library or the system, their
+/// kind in plain words, without the text that their makers meant for programmers.
+std::string plain_words(const std::exception& error);
 
 /// The longest pointer and message of a diagnostic, and the longest name of its file, in the form in which they are shown (bytes).
 /// Together with its place a diagnostic's line has less than 2 KiB.

@@ -14,6 +14,7 @@
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
 #include "scene/sensitivity_route.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -217,10 +218,10 @@ std::vector<std::string> warnings_of(const std::vector<EffectEntry>& effects) {
           (smallest == nullptr || *modelled.torque_largest_N_m < *smallest->torque_largest_N_m))
         smallest = &modelled;
     }
-    if (smallest != nullptr)
-      warnings.push_back(
-          fmt::format("the scenario models {} ({:.2g} N m at its largest) and leaves out {} ({:.2g} N m), which is larger",
-                      smallest->name, *smallest->torque_largest_N_m, omitted.name, *omitted.torque_largest_N_m));
+    if (smallest == nullptr) continue;
+    const auto [small, large] = told_apart(*smallest->torque_largest_N_m, *omitted.torque_largest_N_m, 2);
+    warnings.push_back(fmt::format("the scenario models {} ({} N m at its largest) and leaves out {} ({} N m), which is larger",
+                                   smallest->name, small, omitted.name, large));
   }
   return warnings;
 }
@@ -235,7 +236,7 @@ void add_inputs(const InputDerivatives& inputs, std::span<const Responses> respo
                    std::nullopt};
     const bool of_earth = need.name == "latitude_deg" || need.name == "rotation_rate_rad_s";
     const double moved = of_earth ? need.drift_per_unit_rad : need.displacement_per_unit_rad;
-    if (moved > 0) need.hides_earth = budget.earth_drift_rad / moved;
+    if (moved > 0) need.hides_earth = share_of(budget.earth_drift_rad, moved);
     budget.inputs.push_back(need);
   }
 }

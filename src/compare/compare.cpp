@@ -224,7 +224,7 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
 } catch (const Json::exception& error) {
   throw ScenarioError(
       "", fmt::format("{} or {}: a JSON file in it is not in the form that this program writes; write it again ({})",
-                      printable(reference.string()), printable(candidate.string()), error.what()));
+                      printable(reference.string()), printable(candidate.string()), complaint_of(error)));
 }
 
 void require_distinct(const fs::path& directory, const std::vector<std::pair<std::string, fs::path>>& list) {

@@ -77,9 +77,10 @@ std::string what_was_found(const PairReport& pair) {
                         ? fmt::format(", and {} more", counted(pair.findings.size() - 1, "finding", "findings"))
                         : ""));
   for (const CostRatio& ratio : pair.cost)
-    if (!ratio.passed())
-      add(fmt::format("{} went from {:.4g} to {:.4g}, more than {} times", ratio.name, ratio.reference, ratio.candidate,
-                      *ratio.limit));
+    if (!ratio.passed()) {
+      const auto [before, now] = told_apart(ratio.reference, ratio.candidate, 4);
+      add(fmt::format("{} went from {} to {}, more than {} times", ratio.name, before, now, *ratio.limit));
+    }
   if (!text.empty()) return text;
   if (count == 0) return "There is nothing to compare.";
   if (!moved)

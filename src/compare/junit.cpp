@@ -3,6 +3,7 @@
 
 #include "earthtop/compare/compare.hpp"
 #include "plot/svg_text.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace compare {
@@ -31,8 +32,9 @@ struct Suite {
 
 std::string failure_of(const QuantityVerdict& quantity) {
   if (!quantity.reason.empty()) return quantity.reason;
-  return fmt::format("differs by {:.6g}{}{}, tolerance {:.6g} from {}{}", quantity.largest,
-                     quantity.where.empty() ? "" : " at ", quantity.where, quantity.tolerance, quantity.origin,
+  const auto [largest, tolerance] = told_apart(quantity.largest, quantity.tolerance, 6);
+  return fmt::format("differs by {}{}{}, tolerance {} from {}{}", largest, quantity.where.empty() ? "" : " at ", quantity.where,
+                     tolerance, quantity.origin,
                      quantity.first_violation.empty() ? "" : ", first beyond it at " + quantity.first_violation);
 }
 

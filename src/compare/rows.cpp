@@ -307,9 +307,9 @@ void Comparison::require_fine_rows(const Survey& known) const {
   for (std::size_t i = 0; i < table_.measures.size(); ++i)
     for (const Judge& judge : judges_) {
       const bool is_fixed = &judge.measure() == &table_.measures[i] && judge.measure().part != RowPart::error;
-      if (is_fixed && known.interpolation_error[i] > judge.fixed())
-        refuse(fmt::format("the error of {} between them may be {:.2g}, above its tolerance {:.2g}", judge.measure().name,
-                           known.interpolation_error[i], judge.fixed()));
+      if (!is_fixed || !(known.interpolation_error[i] > judge.fixed())) continue;
+      const auto [error, tolerance] = told_apart(known.interpolation_error[i], judge.fixed(), 2);
+      refuse(fmt::format("the error of {} between them may be {}, above its tolerance {}", judge.measure().name, error, tolerance));
     }
 }
 

@@ -61,7 +61,7 @@ std::vector<Doubted> doubts_of(const Comparand& side, double end_s) {
   if (side.summary->contains(at) && side.summary->at(at).is_array()) {
     for (const Json& interval : side.summary->at(at))
       if (is_of_motion(interval.at("why").get<std::string>()))
-        doubts.push_back({interval.at("from_s").get<double>(),
+        doubts.push_back({interval.at("from_s").is_null() ? 0 : interval.at("from_s").get<double>(),
                           interval.at("until_s").is_null() ? kToTheEnd : interval.at("until_s").get<double>()});
   } else if (const auto until_s = side.number("/drift/reliable/until_s")) {  // of an older version
     doubts.push_back({*until_s, kToTheEnd});

@@ -57,6 +57,7 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     try {
       trajectory.status = events.outcome(driver.run(x, row_times));
     } catch (const ContactEnded&) {
+      if (trajectory.samples.empty()) on_row(0, x);  // the release itself has ended the run
       trajectory.status = RunStatus::completed;
     }
     note_steps(driver, problem, trajectory);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace earthtop::input {
 
@@ -45,7 +46,10 @@ bool lists(std::string_view words, std::string_view word) {
 }
 
 std::string range_text(const Range& range) {
-  const auto end = [](double x) { return std::abs(x) < 1e6 ? fmt::format("{}", x) : fmt::format("{:g}", x); };
+  const auto end = [](double x) {
+    const std::string brief = fmt::format("{:g}", x);
+    return std::abs(x) >= 1e6 && std::strtod(brief.c_str(), nullptr) == x ? brief : fmt::format("{}", x);
+  };
   if (std::isinf(range.least) && std::isinf(range.most)) return "";
   if (std::isinf(range.most)) return fmt::format("{} {}", range.least_excluded ? "above" : "of at least", end(range.least));
   if (range.least_excluded) return fmt::format("above {} and at most {}", end(range.least), end(range.most));

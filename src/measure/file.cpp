@@ -57,7 +57,7 @@ class MeasurementReader {
       return;
     }
     if (t_s < latest_s_)
-      refuse(0, fmt::format("t_s is earlier than in the row above ({:g} s); sort the rows by time", latest_s_));
+      refuse(0, fmt::format("t_s is earlier than in the row above ({} s); sort the rows by time", latest_s_));
     latest_s_ = std::max(latest_s_, t_s);
     for (const QuantityCells& cells : quantities_)
       if (is_measured(cells)) read_value(cells, t_s);

@@ -16,6 +16,9 @@ NaturalUnits natural_units(const Body<double>& body, const Release<double>& rele
     fastest = std::max({fastest, std::abs(turn.rate), std::sqrt(std::abs(turn.acceleration)), 6.3 * std::abs(turn.frequency)});
     if (turn.table) fastest = std::max({fastest, turn.table->largest_rate(), std::sqrt(turn.table->largest_acceleration())});
   }
+  // Where next to nothing moves, gravity in longer units of time would be beyond a double.
+  constexpr double kSlowest = 0x1p-300;  // rad/s
+  if (fastest > 0) fastest = std::max(fastest, kSlowest);
   NaturalUnits units;
   std::frexp(largest_moment, &units.mass_exponent);
   if (fastest > 0) {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "earthtop/model/contact_release.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -102,8 +103,8 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
   const T discriminant = spin_momentum * spin_momentum - T(4) * a * mgl;
   if (discriminant < T(0))
     throw ScenarioError(kPointer, fmt::format("no steady precession: the spin is too slow for this tilt; |spin_rad_s| must be "
-                                              "at least {:.9g} rad/s",
-                                              static_cast<double>(real::sqrt(T(4) * a * mgl) / body.I_BP_B(2, 2))));
+                                              "at least {} rad/s",
+                                              least_text(static_cast<double>(real::sqrt(T(4) * a * mgl) / body.I_BP_B(2, 2)), 9)));
   const T root = real::sqrt(discriminant);
   const T sum = spin_momentum < T(0) ? spin_momentum - root : spin_momentum + root;  // no cancellation
   if (sum == T(0))

@@ -9,6 +9,7 @@
 #include "input/node.hpp"
 #include "input/suggest.hpp"
 #include "measure/columns.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace plan {
@@ -36,9 +37,10 @@ std::size_t count_rows(double every_s, double until_s) {
   if (!(every_s > 0) || !std::isfinite(every_s)) throw ScenarioError("--every", "must be a time above 0 (s)");
   if (!(until_s > 0) || !std::isfinite(until_s)) throw ScenarioError("--until", "must be a time above 0 (s)");
   const double steps = std::floor(until_s / every_s * (1 + 1e-12) + 1e-9);
-  if (steps < 1)
-    throw ScenarioError("--every",
-                        fmt::format("{:g} s is longer than the measurement, {:g} s; take a shorter one", every_s, until_s));
+  if (steps < 1) {
+    const auto [every, until] = told_apart(every_s, until_s, 6);
+    throw ScenarioError("--every", fmt::format("{} s is longer than the measurement, {} s; take a shorter one", every, until));
+  }
   if (steps + 1 > static_cast<double>(kMostRows))
     throw ScenarioError(
         "--every", fmt::format("{:g} s makes more than {} rows in {:g} s; take a longer one", every_s, kMostRows, until_s));

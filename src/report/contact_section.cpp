@@ -250,7 +250,7 @@ std::string tip_drift_html(const Run& run, Page& page) {
   const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
   std::string html = seen_html(run) + page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
                                                  "The distance of the two contact points and its parts. " + run.drawn_words);
-  if (run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
+  if (!run.listed.rows.empty() && run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
     html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
   return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run, run.drawn), tip_bound_figure(run, run.listed));
 }

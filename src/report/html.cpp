@@ -161,6 +161,7 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
 }
 
 std::string number_html(double value, std::string_view unit, int digits) {
+  if (!std::isfinite(value)) return "";
   return fmt::format("<data value=\"{}\">{:.{}g}</data>{}{}", value, value, digits, unit.empty() ? "" : " ", escaped(unit));
 }
 

@@ -78,7 +78,7 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
           what, "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
   }
 } catch (const report::Json::exception& error) {
-  compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", error.what()));
+  compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", complaint_of(error)));
 }
 
 std::filesystem::path report_file(const std::filesystem::path& what) {

@@ -23,6 +23,7 @@
 #include "report/shell.hpp"
 #include "report/thinning.hpp"
 #include "results/seal.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -168,7 +169,7 @@ std::string invariants_section(const Run& run) {
     const double change = invariant.value("largest_change", kNoNumber), scale = invariant.value("scale", kNoNumber);
     rows.push_back({escaped(invariant.value("name", "")),
                     number_html(invariant.value("initial", kNoNumber), invariant.value("unit", "")), number_html(change, "", 3),
-                    number_html(change / scale, "", 3)});
+                    number_html(share_of(change, scale).value_or(kNoNumber), "", 3)});
   }
   if (rows.empty()) return "<p>No conserved quantity is followed in this run.</p>\n";
   return table_html({"quantity", "at release", "largest change", "relative to its largest term"}, rows);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "results/member_entries.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::figure_table {
 
@@ -16,7 +17,7 @@ inline std::string_view to_event_word(Prediction prediction) {
 inline const ContactEvent& event(R r, I i) { return r.contact->events[i]; }
 inline const PredictionChange& change(R r, I i) { return r.contact->changes[i]; }
 
-inline double over_size(const ContactBalance& balance) { return balance.balance / balance.size; }
+inline std::optional<double> over_size(const ContactBalance& balance) { return share_of(balance.balance, balance.size); }
 
 /// A text as a template's argument.
 template <std::size_t N>

@@ -281,6 +281,7 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
     report.computed_error = drift.axis_bound_rad;
     constexpr double kSmallLean = 0.5;  // the rest of the circles may be as large as this part of the lean
     report.applies = lean.left_out <= kSmallLean * std::abs(lean.value);
+    if (!std::isfinite(lean.value) || !std::isfinite(lean.left_out)) return {};  // next to no gravity
     return {report};
   }
   if (!drift.secular || drift.secular->of_window) return {};

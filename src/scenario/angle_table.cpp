@@ -10,6 +10,7 @@
 #include "earthtop/frames/angle_spline.hpp"
 #include "input/csv_text.hpp"
 #include "input/node.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -75,9 +76,10 @@ std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, do
   const double rate = spline.largest_rate(), acceleration = spline.largest_acceleration();
   if (!(rate <= kFastestTurn && acceleration <= kFastestTurn))
     return TableFault{line,
-                      fmt::format("up to here the spline reaches {:.3g} rad/s and {:.3g} rad/s^2; at most {:g} are allowed: "
-                                  "are the times in seconds and the angles in radians?",
-                                  rate, acceleration, kFastestTurn)};
+                      fmt::format("up to here the spline reaches {} rad/s and {} rad/s^2; at most {:g} are allowed: are the times "
+                                  "in seconds and the angles in radians?",
+                                  told_apart(rate, kFastestTurn, 3).first, told_apart(acceleration, kFastestTurn, 3).first,
+                                  kFastestTurn)};
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include "scenario/decode.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -33,8 +34,10 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
   if (!codec.complete() || !release.is_object("quaternion_LB")) return false;
   const auto& q = *spec.quaternion_LB;
   const double norm = real::hypot(real::hypot(q[0], q[1]), real::hypot(q[2], q[3]));
-  if (std::abs(norm - 1) > 1e-6) {
-    release.refuse("quaternion_LB", fmt::format("has the norm {:.9g}; must be 1 to within 1e-6 (it is then normalised)", norm));
+  constexpr double kSlack = 1e-6;
+  if (std::abs(norm - 1) > kSlack) {
+    release.refuse("quaternion_LB", fmt::format("has the norm {}; must be 1 to within {:g} (it is then normalised)",
+                                                told_apart(norm, norm < 1 ? 1 - kSlack : 1 + kSlack, 9).first, kSlack));
     return false;
   }
   return alone;

@@ -13,6 +13,7 @@
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::scenario {
 
@@ -41,9 +42,9 @@ void decode_motion(const Section& motion, Scenario& scenario) {
   const double rows = output_row_count(duration, step);
   if (rows > kMostRows)
     return motion.refuse("output_step_s",
-                         fmt::format("about {:.3g} output rows; at most {:.0f} are allowed: output_step_s must be "
-                                     "at least {:.6g} s for this duration",
-                                     rows, kMostRows, duration / (kMostRows - 1)));
+                         fmt::format("about {} output rows; at most {:.0f} are allowed: output_step_s must be at least {} s for "
+                                     "this duration",
+                                     told_apart(rows, kMostRows, 3).first, kMostRows, least_text(duration / (kMostRows - 1))));
   scenario.duration_s = duration;
   scenario.output_step_s = step;
 }
@@ -82,14 +83,16 @@ void decode_step(const Section& numerics, Scenario& scenario) {
         fmt::format("\"{}\" finds its step from it where no step_s is given; give one of the two", to_string(method)));
   }
   if (!scenario.numerics.step_s || !(scenario.duration_s > 0)) return;
+  // Each interval between rows has a whole number of steps; one that is a rounding shorter than they are counts as theirs.
   const double interval = std::min(scenario.output_step_s, scenario.duration_s), step = *scenario.numerics.step_s;
-  const double steps = std::ceil(interval / step) * (output_row_count(scenario.duration_s, scenario.output_step_s) - 1);
+  const double intervals = output_row_count(scenario.duration_s, scenario.output_step_s) - 1;
+  const double steps = std::ceil(interval / step * (1 - 1e-12)) * intervals;
   const auto limit = static_cast<double>(scenario.numerics.step_limit);
-  if (steps > limit)
-    numerics.refuse("step_s",
-                    fmt::format("about {:.3g} steps; at most {:.3g} are allowed: step_s must be at least {:.6g} s for this "
-                                "duration",
-                                steps, limit, scenario.duration_s / limit));
+  if (!(steps > limit)) return;
+  const auto [shown, most] = told_apart(steps, limit, 3);
+  numerics.refuse("step_s",
+                  fmt::format("about {} steps; at most {} are allowed: step_s must be at least {} s for this duration", shown,
+                              most, least_text(interval / std::max(1.0, std::floor(limit / intervals)))));
 }
 
 /// Checks that the tolerance is above the precision's round-off and that the method is built for it.

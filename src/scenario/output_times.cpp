@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scenario/decode.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 
@@ -15,7 +16,8 @@ std::vector<double> output_times(double duration_s, double output_step_s) {
   const double rows = scenario::output_row_count(duration_s, output_step_s);
   if (rows > scenario::kMostRows)
     throw ScenarioError("/motion/output_step_s",
-                        fmt::format("about {:.3g} output rows; at most {:.0f} are allowed", rows, scenario::kMostRows));
+                        fmt::format("about {} output rows; at most {:.0f} are allowed",
+                                    told_apart(rows, scenario::kMostRows, 3).first, scenario::kMostRows));
   std::vector<double> times = {0.0};
   for (std::int64_t k = 1;; ++k) {
     const double t = static_cast<double>(k) * output_step_s;

@@ -8,6 +8,7 @@
 
 #include "earthtop/model/body.hpp"
 #include "scene/examine_contact.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -49,9 +50,9 @@ void warn_of_site(const Section& root, const Scene& scene, bool has_weight) {
   const double least = 9.76 - decrease, most = 9.84 - decrease;
   if (*gravity < least || *gravity > most)
     site.warn("gravity_m_s2",
-              fmt::format("{} m/s^2 is not found on the Earth at this height, where it is between {:.4g} and {:.4g}; leave it "
-                          "out for normal gravity",
-                          *gravity, least, most));
+              fmt::format("{} m/s^2 is not found on the Earth at this height, where it is between {} and {}; leave it out "
+                          "for normal gravity",
+                          *gravity, least_text(least, 4), most_text(most, 4)));
 }
 
 /// Warns of grams or millimetres in place of SI units, which show as an impossible density or distance from the pivot.

@@ -11,6 +11,7 @@
 #include "earthtop/drift/growth.hpp"
 #include "scene/parts.hpp"
 #include "scene/sensitivity_route.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -79,12 +80,15 @@ RunEstimate estimate_run(const Scene& scene) {
   return estimate;
 }
 
-std::string about_seconds(double seconds) {
+std::string about_seconds(double seconds, double limit_s) {
+  const auto in = [&](double unit_s, const char* name) {
+    return fmt::format("about {} {}", told_apart(seconds / unit_s, limit_s / unit_s, 2).first, name);
+  };
   if (seconds < 0.1) return "less than 0.1 s";
-  if (seconds < 100) return fmt::format("about {:.2g} s", seconds);
-  if (seconds < 7200) return fmt::format("about {:.2g} minutes", seconds / 60);
-  if (seconds < 2 * 86400) return fmt::format("about {:.2g} hours", seconds / 3600);
-  return fmt::format("about {:.2g} days", seconds / 86400);
+  if (seconds < 100) return in(1, "s");
+  if (seconds < 7200) return in(60, "minutes");
+  if (seconds < 2 * 86400) return in(3600, "hours");
+  return in(86400, "days");
 }
 
 void refuse_unaffordable(const Scene& scene) {
@@ -102,7 +106,8 @@ void refuse_unaffordable(const Scene& scene) {
 
   const double steps = std::min(std::max(first, second), 1e300);
   const double seconds = std::min(scene.estimate().seconds.all(), 1e300);
-  const std::string work = fmt::format("about {:.1e} steps, {} of computing", steps, about_seconds(seconds));
+  const auto [needed, most] = told_apart(steps, limit, 2, 'e');
+  const std::string work = fmt::format("about {} steps, {} of computing", needed, about_seconds(seconds, stiff ? kStiff_s : kDay_s));
   if (stiff && !(within && seconds <= kStiff_s)) {
     const StiffFriction stiffest = scene.stiffest_friction();
     if (scenario.contact) {
@@ -125,9 +130,9 @@ void refuse_unaffordable(const Scene& scene) {
   if (!within)
     throw ScenarioError(
         "/motion/duration_s",
-        fmt::format("this scenario needs {}; at most {:.1e} steps are allowed; take a shorter duration, a slower "
-                    "spin or a looser tolerance",
-                    work, limit));
+        fmt::format("this scenario needs {}; at most {} steps are allowed; take a shorter duration, a slower spin or a looser "
+                    "tolerance",
+                    work, most));
   if (scenario.precision != Precision::bits53 && !(seconds <= kDay_s))
     throw ScenarioError("/motion/duration_s",
                         fmt::format("in {} this scenario needs {}; at most one day is allowed; take a shorter duration, a "

@@ -82,7 +82,7 @@ SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
   const double differences = double(inputs) * kRunsAnInput * moved.costs()[0].seconds * time_s / scenario.duration_s;
   if (!varied || differences < plan.seconds) plan = {SensitivityRoute::differences, differences, ""};
   if (!(plan.seconds <= kAffordable))
-    plan.refusal = fmt::format("they would take {}; at most {} are spent", about_seconds(plan.seconds),
+    plan.refusal = fmt::format("they would take {}; at most {} are spent", about_seconds(plan.seconds, kAffordable),
                                about_seconds(kAffordable).substr(6));
   return plan;
 }

@@ -15,6 +15,7 @@
 #include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/release.hpp"
 #include "scene/parts.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -116,8 +117,8 @@ void add_precession(TopFigures& top, const SymmetricTop<double>& body, double co
   if (!rates) {
     const double least = 2 * real::sqrt(body.I1 * std::abs(body.mgl * cosine)) / body.I3;
     top.left_out.push_back(
-        least > 0 ? fmt::format("steady precession: at this tilt it needs a spin of at least {:.6g} rad/s ({:.6g} rpm)", least,
-                                least * 30 / std::numbers::pi)
+        least > 0 ? fmt::format("steady precession: at this tilt it needs a spin of at least {} rad/s ({} rpm)", least_text(least),
+                                least_text(least * 30 / std::numbers::pi))
                   : "steady precession: a top at 90 degrees needs a spin");
     return;
   }

@@ -22,7 +22,7 @@ std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch
     if (lacks_memory && scenes.size() == 1) throw;
     if (scenes.size() == 1) {
       std::vector<BatchOutcome> outcome(1);
-      outcome.front().refusal = error.what();
+      outcome.front().refusal = plain_words(error);
       return outcome;
     }
   }

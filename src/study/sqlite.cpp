@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <cstring>
 #include <fstream>
 #include <new>
 #include <sstream>
@@ -57,11 +58,31 @@ std::string holder_of(const std::string& file) {
 
 }  // namespace
 
+/// What SQLite complains of, in words of a user of a study's store. @param code  without its extension
+static std::string reason_of(int code, sqlite3* database) {
+  switch (code) {
+    case SQLITE_CORRUPT: return "its pages are damaged";
+    case SQLITE_NOTADB: return "it is not a database";
+    case SQLITE_FULL: return "the disk is full";
+    case SQLITE_CANTOPEN: return "cannot be opened";
+    case SQLITE_READONLY: return "may not be written";
+    case SQLITE_PERM:
+    case SQLITE_AUTH: return "access is not allowed";
+    case SQLITE_ERROR:
+    case SQLITE_SCHEMA:
+    case SQLITE_CONSTRAINT:
+    case SQLITE_MISMATCH: return "its tables are not those of a study";
+    default: break;
+  }
+  const int error = sqlite3_system_errno(database);
+  return error != 0 ? std::strerror(error) : "reading or writing failed";
+}
+
 void Connection::fail() const {
   const int extended = database_ ? sqlite3_extended_errcode(database_.get()) : SQLITE_NOMEM;
   const int code = extended & 0xff;
   if (code == SQLITE_NOMEM || extended == SQLITE_IOERR_NOMEM) throw std::bad_alloc();
-  std::string reason = sqlite3_errmsg(database_.get());
+  std::string reason = reason_of(code, database_.get());
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED) {
     if (!patient_) refuse_in_use(file_, holder_of(file_));
     reason = "is in use by " + holder_of(file_);

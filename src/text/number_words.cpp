@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -26,6 +27,14 @@ constexpr ReadableUnit kLengths[] = {
 int decade_of(double number, int digits) {
   const std::string text = fmt::format("{:.{}e}", number, digits - 1);
   return std::stoi(text.substr(text.find('e') + 1));
+}
+
+/// The decimal with this many digits that is nearest to a number, as a double.
+double rounded(double number, int digits) { return std::strtod(fmt::format("{:.{}e}", number, digits - 1).c_str(), nullptr); }
+
+/// One unit of the last of the digits that such a decimal has.
+double rounded_by(double number, int digits) {
+  return std::strtod(fmt::format("1e{}", decade_of(std::abs(number), digits) - (digits - 1)).c_str(), nullptr);
 }
 
 }  // namespace
@@ -54,6 +63,33 @@ std::string angle_text(double rad, int digits) {
   constexpr double kSmall = 1e-4;  // microarcseconds; other units have larger numbers
   if (std::abs(number) < kSmall) return fmt::format("{:.{}e}{}", number, digits - 1, unit.symbol);
   return fmt::format("{:.{}f}{}", number, std::max(0, digits - 1 - decade_of(std::abs(number), digits)), unit.symbol);
+}
+
+std::optional<double> share_of(double part, double whole) {
+  if (whole == 0 || !std::isfinite(part) || !std::isfinite(whole)) return std::nullopt;
+  const double share = part / whole;
+  return std::isfinite(share) ? std::optional(share) : std::nullopt;
+}
+
+std::pair<std::string, std::string> told_apart(double one, double other, int digits, char style) {
+  constexpr int kMostDigits = 17;  // those that tell any two doubles apart
+  const auto text = [&](double x) {
+    return style == 'e' ? fmt::format("{:.{}e}", x, digits - 1) : fmt::format("{:.{}g}", x, digits);
+  };
+  while (digits < kMostDigits && one != other && text(one) == text(other)) ++digits;
+  return {text(one), text(other)};
+}
+
+std::string least_text(double least, int digits) {
+  if (!std::isfinite(least) || least == 0) return fmt::format("{:g}", least);
+  double shown = rounded(least, digits);
+  if (shown < least) shown = rounded(least + rounded_by(least, digits), digits);
+  return fmt::format("{:.{}g}", shown, digits);
+}
+
+std::string most_text(double most, int digits) {
+  const std::string text = least_text(-most, digits);
+  return text.front() == '-' ? text.substr(1) : "-" + text;
 }
 
 std::string time_text(double t_s) {

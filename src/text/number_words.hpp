@@ -2,8 +2,10 @@
 /// Numbers as people read them: in a unit of their size, and a number with its error in one unit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace earthtop {
 
@@ -23,6 +25,17 @@ ReadableUnit length_unit(double size_m);
 /// An angle in the unit of its size, with at least this many digits: "235.19″"; with an exponent
 /// only below 1e-4 microarcseconds.
 std::string angle_text(double rad, int digits = 5);
+
+/// A part as a share of the whole; nothing where the whole is 0 or either is not finite, and nothing where the share is too large
+/// for a number. An error relative to nothing is not said.
+std::optional<double> share_of(double part, double whole);
+
+/// Two numbers that a message compares, with at least this many digits, and with as many as tell them apart where they differ.
+/// @param style  of fmt: 'g', or 'e' for exponents always
+std::pair<std::string, std::string> told_apart(double one, double other, int digits, char style = 'g');
+/// A limit as a message gives it: rounded to the side that is allowed, so that who writes the number given is not refused again.
+std::string least_text(double least, int digits = 6);
+std::string most_text(double most, int digits = 6);
 
 /// A time as a reader would write it, without the rounding of its last digits: "32.3 s".
 std::string time_text(double t_s);

@@ -5,6 +5,7 @@
 
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/model.hpp"
+#include "text/number_words.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
 
@@ -62,7 +63,7 @@ double largest_change(const RunResult& result, Term (*integral)(const Instant&))
     change = worse(change, std::abs(term.value - first));
     scale = std::max(scale, term.scale);
   }
-  return change / scale;
+  return share_of(change, scale).value_or(change);
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ double invariant_error(const CriterionSpec& criterion, Runs& runs) {
   if (criterion.quantity == "goryachev_chaplygin") return largest_change(result, goryachev_chaplygin);
   if (criterion.quantity == "vertical_momentum") return largest_change(result, vertical_momentum);
   for (const InvariantReport& invariant : result.invariants)
-    if (invariant.name == criterion.quantity) return invariant.largest_change / invariant.scale;
+    if (invariant.name == criterion.quantity) return share_of(invariant.largest_change, invariant.scale).value_or(invariant.largest_change);
   throw NotJudged("this scenario does not conserve it");
 }
 

@@ -55,6 +55,12 @@ TEST(NaturalUnits, PutTheLargestMomentAndTheFastestRateNearOne) {
   BodySpec balanced = any_body(random);
   balanced.center_of_mass_m = {0, 0, 0};
   EXPECT_EQ(natural_units(make_body<double>(balanced), spinning(Vec3<double>::Zero()), 9.8, 0, nullptr).time_exponent, 0);
+  // Where next to nothing moves, gravity in natural units is finite.
+  for (const double rate : {1e-300, 5e-324}) {
+    const NaturalUnits slow = natural_units(make_body<double>(balanced), spinning(Vec3<double>::Zero()), 9.8, rate, nullptr);
+    EXPECT_EQ(slow.time_exponent, 299);
+    EXPECT_TRUE(std::isfinite(real::scale(9.8, 2 * slow.time_exponent)));
+  }
   // A platform's rate counts too.
   Platform<double> table;
   table.turn.rate = -1000;

@@ -56,6 +56,41 @@ TEST(NumberWords, ANumberEndsWhereItsErrorDoes) {
   }
 }
 
+TEST(NumberWords, NumbersThatDifferAreTold) {
+  using Two = std::pair<std::string, std::string>;
+  EXPECT_EQ(told_apart(3, 4, 2), Two("3", "4"));
+  EXPECT_EQ(told_apart(60.0000012, 60, 2), Two("60.000001", "60"));
+  EXPECT_EQ(told_apart(2'000'001, 2'000'000, 3), Two("2000001", "2000000"));
+  EXPECT_EQ(told_apart(1.24e-9, 1.2e-9, 2, 'e'), Two("1.24e-09", "1.20e-09"));
+  EXPECT_EQ(told_apart(1, std::nextafter(1, 2), 2), Two("1", "1.0000000000000002"));
+  EXPECT_EQ(told_apart(1.25, 1.25, 2), Two("1.2", "1.2"));
+  EXPECT_EQ(told_apart(1, std::numeric_limits<double>::infinity(), 2).first, "1");
+}
+
+TEST(NumberWords, ALimitIsRoundedToWhatIsAllowed) {
+  EXPECT_EQ(least_text(3), "3");
+  EXPECT_EQ(least_text(0), "0");
+  EXPECT_EQ(least_text(60 / 1'999'999.0), "3.00001e-05");
+  EXPECT_EQ(most_text(60 / 1'999'999.0), "3e-05");
+  EXPECT_EQ(least_text(-60 / 1'999'999.0), "-3e-05");
+  EXPECT_EQ(most_text(-2.00001, 3), "-2.01");
+  EXPECT_EQ(least_text(9.99996, 5), "10");
+  EXPECT_EQ(least_text(std::numeric_limits<double>::infinity()), "inf");
+  for (double x = 1e-300; x < 1e300; x *= 1234.56789) {
+    EXPECT_GE(std::stod(least_text(x)), x);
+    EXPECT_LE(std::stod(most_text(x)), x);
+    EXPECT_NEAR(std::stod(least_text(x)) / x, 1, 1.1e-5);
+  }
+}
+
+TEST(NumberWords, NothingIsASizeOfNothing) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(share_of(1, 4), 0.25);
+  EXPECT_EQ(share_of(0, -4), 0);
+  for (const auto& [part, whole] : {std::pair(0.0, 0.0), {1.0, 0.0}, {kInfinity, 1.0}, {1.0, kInfinity}, {1.0, 1e-320}, {NAN, 1.0}})
+    EXPECT_EQ(share_of(part, whole), std::nullopt) << part << " of " << whole;
+}
+
 TEST(TimeText, HasNoRoundingOfItsLastDigits) {
   EXPECT_EQ(time_text(32.300000000000004), "32.3 s");
   EXPECT_EQ(time_text(13.264999999999999), "13.265 s");

@@ -11,6 +11,7 @@
 #include "earthtop/bench/comparison.hpp"
 #include "output.hpp"
 #include "screen.hpp"
+#include "text/number_words.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -84,11 +85,13 @@ Scene to_be_benched(const Scene& scene, const BenchArguments& arguments) {
   if (!arguments.duration_s) {
     Scene shortened = shortened_for_reference(scene, arguments.reference_s);
     const double duration_s = shortened.scenario().duration_s;
-    if (duration_s < scenario.duration_s && !arguments.quiet)
+    if (duration_s < scenario.duration_s && !arguments.quiet) {
+      const auto [first, whole] = told_apart(duration_s, scenario.duration_s, 6);
       message(
-          fmt::format("earthtop: {}: only the first {:g} s of {:g} s, because a longer reference would take more than {:g} s; "
+          fmt::format("earthtop: {}: only the first {} s of {} s, because a longer reference would take more than {:g} s; "
                       "--duration or --reference-limit change this",
-                      scenario.name, duration_s, scenario.duration_s, arguments.reference_s));
+                      scenario.name, first, whole, arguments.reference_s));
+    }
     return shortened;
   }
   Scenario shortened = scenario;

@@ -103,6 +103,13 @@ std::string complaint_of_count(const CLI::ArgumentMismatch& error) {
   return what.find("At Most") != std::string::npos ? name + " can be given only once" : name + " needs a value";
 }
 
+/// The parser's complaint of an option that takes no value and was given one, in plain words.
+std::string complaint_of_flag(const CLI::ConversionError& error) {
+  const std::string what = error.what();  // "Could not convert: --json = maybe"
+  const auto begin = what.find('-');
+  return what.substr(begin, what.find(" =") - begin) + " takes no value";
+}
+
 }  // namespace
 
 Request read_command_line(const Verb& program, int argc, char** argv) {
@@ -117,6 +124,8 @@ Request read_command_line(const Verb& program, int argc, char** argv) {
     is_for_help = true;
   } catch (const CLI::ArgumentMismatch& error) {
     complaint = complaint_of_count(error);
+  } catch (const CLI::ConversionError& error) {
+    complaint = complaint_of_flag(error);
   } catch (const CLI::ParseError& error) {
     complaint = error.what();
   }

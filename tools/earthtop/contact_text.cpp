@@ -76,23 +76,30 @@ std::vector<LabelledLine> contact_balance_lines(const RunResult& result) {
   std::vector<LabelledLine> lines;
   if (!result.contact) return lines;
   const ContactBalances &rotating = result.contact->rotating, &reference = result.contact->reference;
+  // The larger share of the two; nothing where the integral is 0 in both.
   const auto missed = [](const std::optional<ContactBalance>& a, const std::optional<ContactBalance>& b) {
-    return std::max(std::abs(a->balance / a->size), b ? std::abs(b->balance / b->size) : 0);
+    const std::optional<double> one = share_of(std::abs(a->balance), a->size);
+    const std::optional<double> other = b ? share_of(std::abs(b->balance), b->size) : std::nullopt;
+    return std::max(one, other);
   };
   if (rotating.jacobi) {
-    const double work = rotating.jacobi->integral, error = missed(rotating.jacobi, reference.jacobi);
-    const std::string text = fmt::format("to {:.1e} of its size, in both predictions", error);
+    const double work = rotating.jacobi->integral;
+    const std::optional<double> error = missed(rotating.jacobi, reference.jacobi);
+    const std::string text = error ? fmt::format("to {:.1e} of its size, in both predictions", *error) : "in both predictions";
     lines.push_back(
         {"Balances", work == 0 ? "friction does no work, and the Jacobi integral is constant " + text
                                : fmt::format("friction does work of {:+.6e} J, and the Jacobi integral changes by as much, {}",
                                              work, text)});
   }
-  if (rotating.jellett)
+  if (rotating.jellett) {
+    const std::optional<double> error = missed(rotating.jellett, reference.jellett);
     lines.push_back(
         {lines.empty() ? "Balances" : "",
-         fmt::format("Jellett's integral changes by {:+.6e} kg m^3/s, as the effects of the Earth and of friction's moment "
-                     "predict, to {:.1e} of its size",
-                     rotating.jellett->last - rotating.jellett->first, missed(rotating.jellett, reference.jellett))});
+         error ? fmt::format("Jellett's integral changes by {:+.6e} kg m^3/s, as the effects of the Earth and of friction's "
+                             "moment predict, to {:.1e} of its size",
+                             rotating.jellett->last - rotating.jellett->first, *error)
+               : "Jellett's integral is 0 at every time, in both predictions"});
+  }
   return lines;
 }
 
@@ -108,8 +115,8 @@ std::vector<LabelledLine> prediction_change_lines(const RunResult& result) {
     of_friction = of_friction || change.step.ends_with("%");
     std::string text = fmt::format("axis {:.2e} rad, tip {:.2e} m per {} of {}", change.axis_rad, change.tip_m, change.step,
                                    spoken(change.input));
-    if (row && row->t_s == contact.at_s && change.axis_rad > 0)
-      text += fmt::format(" (the Earth's drift of the axis is {:.2g} times that)", row->drift_axis_rad / change.axis_rad);
+    const std::optional<double> times = row ? share_of(row->drift_axis_rad, change.axis_rad) : std::nullopt;
+    if (times && row->t_s == contact.at_s) text += fmt::format(" (the Earth's drift of the axis is {:.2g} times that)", *times);
     lines.push_back({"", std::move(text)});
   }
   lines.push_back({"", of_friction ? "nobody knows a coefficient of friction to 1 %, so the prediction is uncertain; the "

@@ -31,7 +31,9 @@ struct ExplainArguments {
   std::vector<std::string> sets;
 };
 
-std::string sized(const std::optional<double>& value) { return value ? fmt::format("{:.2e}", *value) : "?"; }
+std::string sized(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.2e}", *value) : "?";
+}
 
 std::string effects_text(const Budget& budget, std::size_t width) {
   std::string text =
@@ -72,8 +74,9 @@ std::string inputs_text(const Budget& budget, std::size_t screen_width) {
   std::size_t width = 22;
   for (const InputNeed& need : budget.inputs) width = std::max(width, need.name.size() + 2);
   for (const InputNeed& need : budget.inputs) {
-    const std::string relative =
-        need.value != 0 && need.hides_earth ? fmt::format(", {:.1e} of it", *need.hides_earth / std::abs(need.value)) : "";
+    const std::optional<double> share =
+        need.hides_earth ? share_of(*need.hides_earth, std::abs(need.value)) : std::nullopt;
+    const std::string relative = share ? fmt::format(", {:.1e} of it", *share) : "";
     text += fmt::format(
         "  {:<{}}{:>14.6g}   {}\n", need.name, width, need.value,
         need.hides_earth ? fmt::format("{:.2e} {}{}", *need.hides_earth, unit_of(need.name), relative) : "has no part in it");

@@ -33,7 +33,7 @@ int usage_error(const UsageError& error, bool json) {
 }
 
 int report_unexpected(const std::exception& error, bool json) {
-  return report_errors("", {{0, 0, "", std::string("unexpected: ") + error.what()}}, json, kNumericalFailure);
+  return report_errors("", {{0, 0, "", plain_words(error)}}, json, kNumericalFailure);
 }
 
 int parse_and_do(int argc, char** argv, bool json) {
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {  // there was no memory for another error's message, either
     return report_lacking(Lacking::memory);
   } catch (const std::exception& error) {  // even reporting an error failed
-    message(std::string("earthtop: error: ") + error.what());
+    message("earthtop: error: " + earthtop::plain_words(error));
     return kWriteFailed;
   }
 }

@@ -11,7 +11,8 @@
 namespace earthtop::tool {
 
 std::string with_bound(double value, double bound, std::string_view unit) {
-  if (!std::isfinite(value) || !std::isfinite(bound)) return fmt::format("{:.6e} {}, bound not known", value, unit);
+  if (!std::isfinite(value)) return "not known";
+  if (!std::isfinite(bound)) return fmt::format("{:.6e} {}, bound not known", value, unit);
   int decimals = 6;
   if (value != 0 && bound > 0)
     decimals =

@@ -161,8 +161,9 @@ int run_verb(const RunArguments& arguments) try {
   }
   if (was_interrupted) return interrupted_status();
   if (result.status == RunStatus::completed && result.accuracy && !result.accuracy->reached()) {
-    message(fmt::format("earthtop: error: the drift error asked for, {} rad, was not reached: its bound is {:.2g} rad",
-                        result.accuracy->asked_rad, result.accuracy->reached_rad));
+    message(fmt::format("earthtop: error: the drift error asked for, {} rad, was not reached: its bound is {} rad",
+                        result.accuracy->asked_rad,
+                        told_apart(result.accuracy->reached_rad, result.accuracy->asked_rad, 2).first));
     return kNumericalFailure;
   }
   if (result.status == RunStatus::completed) return kDone;

@@ -209,8 +209,9 @@ void write_choice(Page& page, const RunResult& result) {
                                       selection->left_out_drift_rad, selection->seconds));
   }
   if (const auto& accuracy = result.accuracy; accuracy && std::isfinite(accuracy->reached_rad)) {
-    const std::string text = fmt::format("{:.1e} rad asked for, {:.1e} rad {}", accuracy->asked_rad, accuracy->reached_rad,
-                                         accuracy->reached() ? "reached" : "NOT reached");
+    const auto [asked, reached] = told_apart(accuracy->asked_rad, accuracy->reached_rad, 2, 'e');
+    const std::string text =
+        fmt::format("{} rad asked for, {} rad {}", asked, reached, accuracy->reached() ? "reached" : "NOT reached");
     page.entry("Accuracy", accuracy->reached() ? text : page.warning(text));
   }
 }
@@ -288,10 +289,9 @@ void write_trend(Page& page, const RunResult& result) {
   }
   write_threshold(page, result);
   for (const InvariantReport& invariant : result.invariants) {
-    const bool relative = invariant.scale > 0;
-    page.entry("Conserved", fmt::format("{} to {:.1e}{}{}", spoken(invariant.name),
-                                        relative ? invariant.largest_change / invariant.scale : invariant.largest_change,
-                                        relative ? " of its size" : " ", relative ? "" : invariant.unit));
+    const std::optional<double> share = share_of(invariant.largest_change, invariant.scale);
+    page.entry("Conserved", fmt::format("{} to {:.1e}{}{}", spoken(invariant.name), share.value_or(invariant.largest_change),
+                                        share ? " of its size" : " ", share ? "" : invariant.unit));
   }
 }
 

@@ -75,7 +75,7 @@ struct NaturalUnits {
 };
 
 /// Units in which the largest pivot moment and the fastest rate of the scene (spin, pendulum, Earth or platform) lie in [1/2,
-/// 1).
+/// 1); the unit of time is at most 2^300 s.
 NaturalUnits natural_units(const Body<double>& body, const Release<double>& release, double gravity_m_s2,
                            double earth_rate_rad_s, const Platform<double>* platform);
 

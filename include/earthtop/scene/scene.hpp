@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -167,7 +168,8 @@ class Scene {
 inline Scene resolve(Scenario scenario) { return {std::move(scenario)}; }
 
 /// Returns a time in words, e.g. "about 20 s" or "less than 0.1 s". @param seconds  (s)
-std::string about_seconds(double seconds);
+/// @param limit_s  a time that the same message gives, from which this one differs in its digits (s)
+std::string about_seconds(double seconds, double limit_s = std::numeric_limits<double>::infinity());
 
 /// The errors and warnings found in a scenario's text, sorted by position: at most 20 errors, then one that says how many more
 /// there are. Errors of an override come first, at line 0.

@@ -81,7 +81,7 @@ CASES = [
              "t_s,tilt_deg,tilt_se_deg\n0,,\n", status=2),
     compared("", "m.csv:200002:1: error: more than 200000 rows; average neighbouring ones",
              "t_s,tilt_deg,tilt_se_deg\n" + "0,20,1\n" * 200_001, status=2),
-    Case("report m.json", "is not as this program writes it; write it anew ([json.exception.type_error.302] not a measured quantity: "
+    Case("report m.json", "is not as this program writes it; write it anew (not a measured quantity: "
          "speed)", scenario=None, files={"m.json": document("speed")}, status=2),
 
     # what can be estimated

@@ -208,7 +208,7 @@ DOCUMENTS = [
     planned("/release/tilt_deg454547yes20", "--optimise /release/tilt_deg=45:47"),
     planned("/release/tilt_deg31.31523060no20", "--optimise /release/tilt_deg=30:60"),
     planned("standard error if it were known exactly", "--nuisance spin_rad_s"),
-    Case("report p.json", "is not as this program writes it; write it anew ([json.exception.type_error.302] a plan has an estimate)",
+    Case("report p.json", "is not as this program writes it; write it anew (a plan has an estimate)",
          None, status=2, files={"p.json": json.dumps({"$schema": "earthtop-plan-1.json", "scenario": {"name": "a"}, "estimates": []})}),
     Case("report p.json", "is no document of compare, plan or bench --json; give one, or a directory of results or of a study", None,
          status=2, files={"p.json": "{}"}),

@@ -110,7 +110,7 @@ const char* kept(Function&& answer) {
     text = errors_json(
         "the page's memory is too small for this run; ask for fewer rows, or run it with the program, earthtop run");
   } catch (const std::exception& error) {
-    text = errors_json(std::string(error.what()));
+    text = errors_json(plain_words(error));
   } catch (...) {
     text = errors_json("an unknown error");
   }

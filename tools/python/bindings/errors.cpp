@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "errors.hpp"
 
+#include <filesystem>
+#include <new>
+#include <stdexcept>
+
 #include "bindings.hpp"
 #include "earthtop/arithmetic.hpp"
 
@@ -36,6 +40,18 @@ void bind_errors(py::module_&) {
       raise("FileError", error.file(), error.reason());
     } catch (const ArithmeticError& error) {
       raise("ArithmeticError", std::string(error.what()));
+    } catch (const std::filesystem::filesystem_error& error) {
+      raise("FileError", error.path1().string(), error.code().message());
+    } catch (const std::bad_alloc& error) {
+      PyErr_SetString(PyExc_MemoryError, plain_words(error).c_str());
+    } catch (const py::builtin_exception&) {  // the following are left to pybind11
+      throw;
+    } catch (const py::error_already_set&) {
+      throw;
+    } catch (const std::invalid_argument&) {
+      throw;
+    } catch (const std::exception& error) {
+      PyErr_SetString(PyExc_RuntimeError, plain_words(error).c_str());
     }
   });
 }
