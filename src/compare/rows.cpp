@@ -309,7 +309,8 @@ void Comparison::require_fine_rows(const Survey& known) const {
       const bool is_fixed = &judge.measure() == &table_.measures[i] && judge.measure().part != RowPart::error;
       if (!is_fixed || !(known.interpolation_error[i] > judge.fixed())) continue;
       const auto [error, tolerance] = told_apart(known.interpolation_error[i], judge.fixed(), 2);
-      refuse(fmt::format("the error of {} between them may be {}, above its tolerance {}", judge.measure().name, error, tolerance));
+      refuse(fmt::format("the error of {} between them may be {}, above its tolerance {}", judge.measure().name, error,
+                         tolerance));
     }
 }
 

@@ -69,8 +69,7 @@ class RestingMotions {
   }
   /// The time before a stop from which a motion is taken to rest: a part of the time since the release or, where that is
   /// tiny, a few of the shortest steps.
-  static T near(T t) { return std::max(kShare * t, T(64) * least_step<T>()); }
-  inline static const T kShare = real::pow(real::epsilon<T>(), T(2) / T(3));
+  T near(T t) const { return std::max(share_ * t, T(64) * least_step<T>()); }
 
   /// d(w_LB)/dt at a given attitude.
   static Vec3<T> slowing(Prediction prediction, const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {
@@ -117,6 +116,8 @@ class RestingMotions {
   }
   static std::size_t index(Prediction prediction) { return prediction == Prediction::reference ? 0 : 1; }
 
+  // Not a static number: that would be computed where a host loads the library, in whatever state its processor is then.
+  T share_ = real::pow(real::epsilon<T>(), T(2) / T(3));
   std::array<bool, 2> rests_ = {false, false};
   std::vector<Stop> stops_;
 };

@@ -102,9 +102,10 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
   const T a = body.I_BP_B(0, 0) * cosine;
   const T discriminant = spin_momentum * spin_momentum - T(4) * a * mgl;
   if (discriminant < T(0))
-    throw ScenarioError(kPointer, fmt::format("no steady precession: the spin is too slow for this tilt; |spin_rad_s| must be "
-                                              "at least {} rad/s",
-                                              least_text(static_cast<double>(real::sqrt(T(4) * a * mgl) / body.I_BP_B(2, 2)), 9)));
+    throw ScenarioError(kPointer,
+                        fmt::format("no steady precession: the spin is too slow for this tilt; |spin_rad_s| must be "
+                                    "at least {} rad/s",
+                                    least_text(static_cast<double>(real::sqrt(T(4) * a * mgl) / body.I_BP_B(2, 2)), 9)));
   const T root = real::sqrt(discriminant);
   const T sum = spin_momentum < T(0) ? spin_momentum - root : spin_momentum + root;  // no cancellation
   if (sum == T(0))

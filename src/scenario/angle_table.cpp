@@ -75,11 +75,11 @@ std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, do
   const AngleSpline<double> spline(table);
   const double rate = spline.largest_rate(), acceleration = spline.largest_acceleration();
   if (!(rate <= kFastestTurn && acceleration <= kFastestTurn))
-    return TableFault{line,
-                      fmt::format("up to here the spline reaches {} rad/s and {} rad/s^2; at most {:g} are allowed: are the times "
-                                  "in seconds and the angles in radians?",
-                                  told_apart(rate, kFastestTurn, 3).first, told_apart(acceleration, kFastestTurn, 3).first,
-                                  kFastestTurn)};
+    return TableFault{
+        line,
+        fmt::format("up to here the spline reaches {} rad/s and {} rad/s^2; at most {:g} are allowed: are the times "
+                    "in seconds and the angles in radians?",
+                    told_apart(rate, kFastestTurn, 3).first, told_apart(acceleration, kFastestTurn, 3).first, kFastestTurn)};
   return table;
 }
 

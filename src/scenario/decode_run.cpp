@@ -41,10 +41,11 @@ void decode_motion(const Section& motion, Scenario& scenario) {
   const double step = motion.has("output_step_s") ? given_step : duration / 1000;
   const double rows = output_row_count(duration, step);
   if (rows > kMostRows)
-    return motion.refuse("output_step_s",
-                         fmt::format("about {} output rows; at most {:.0f} are allowed: output_step_s must be at least {} s for "
-                                     "this duration",
-                                     told_apart(rows, kMostRows, 3).first, kMostRows, least_text(duration / (kMostRows - 1))));
+    return motion.refuse(
+        "output_step_s",
+        fmt::format("about {} output rows; at most {:.0f} are allowed: output_step_s must be at least {} s for "
+                    "this duration",
+                    told_apart(rows, kMostRows, 3).first, kMostRows, least_text(duration / (kMostRows - 1))));
   scenario.duration_s = duration;
   scenario.output_step_s = step;
 }

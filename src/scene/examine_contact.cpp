@@ -264,10 +264,11 @@ void check_contact(const Section& root, const Scene& scene) {
   if (!check_moments(root.section("body"), scene)) return;
   const Touchdown touchdown(scene);
   if (spec.max_tilt_deg && !(*spec.max_tilt_deg > touchdown.tilt_deg()))
-    contact.refuse("max_tilt_deg",
-                   fmt::format("{} deg is not above the tilt of the release, {} deg: the rim would touch at once; give a larger "
-                               "angle, or leave it out",
-                               *spec.max_tilt_deg, told_apart(touchdown.tilt_deg(), *spec.max_tilt_deg, 6).first));
+    contact.refuse(
+        "max_tilt_deg",
+        fmt::format("{} deg is not above the tilt of the release, {} deg: the rim would touch at once; give a larger "
+                    "angle, or leave it out",
+                    *spec.max_tilt_deg, told_apart(touchdown.tilt_deg(), *spec.max_tilt_deg, 6).first));
   if (const double height = spec.tip_radius_m + touchdown.r_c()[2]; height < 0)
     root.warn("contact", fmt::format("the centre of mass lies {:.3g} m below the table at the release; is the sign of "
                                      "/body/center_of_mass_m right, and the tilt at most 90 deg?",

@@ -107,7 +107,8 @@ void refuse_unaffordable(const Scene& scene) {
   const double steps = std::min(std::max(first, second), 1e300);
   const double seconds = std::min(scene.estimate().seconds.all(), 1e300);
   const auto [needed, most] = told_apart(steps, limit, 2, 'e');
-  const std::string work = fmt::format("about {} steps, {} of computing", needed, about_seconds(seconds, stiff ? kStiff_s : kDay_s));
+  const std::string work =
+      fmt::format("about {} steps, {} of computing", needed, about_seconds(seconds, stiff ? kStiff_s : kDay_s));
   if (stiff && !(within && seconds <= kStiff_s)) {
     const StiffFriction stiffest = scene.stiffest_friction();
     if (scenario.contact) {

@@ -116,10 +116,10 @@ void add_precession(TopFigures& top, const SymmetricTop<double>& body, double co
   const auto rates = steady_precession_rates<double>(body, top.spin_rad_s, cosine);
   if (!rates) {
     const double least = 2 * real::sqrt(body.I1 * std::abs(body.mgl * cosine)) / body.I3;
-    top.left_out.push_back(
-        least > 0 ? fmt::format("steady precession: at this tilt it needs a spin of at least {} rad/s ({} rpm)", least_text(least),
-                                least_text(least * 30 / std::numbers::pi))
-                  : "steady precession: a top at 90 degrees needs a spin");
+    top.left_out.push_back(least > 0
+                               ? fmt::format("steady precession: at this tilt it needs a spin of at least {} rad/s ({} rpm)",
+                                             least_text(least), least_text(least * 30 / std::numbers::pi))
+                               : "steady precession: a top at 90 degrees needs a spin");
     return;
   }
   top.slow_precession_rad_s = finite(rates->slow);

@@ -69,9 +69,9 @@ void Collector::collect(const BatchOutcome& outcome, PointResult& point) const {
                                time_text(result.scene.scenario().duration_s));
   if (point.status == "completed" && result.accuracy && !result.accuracy->reached()) {
     point.status = "accuracy_not_reached";
-    point.reason = fmt::format("the drift error asked for, {} rad, was not reached: its bound is {} rad",
-                               result.accuracy->asked_rad,
-                               told_apart(result.accuracy->reached_rad, result.accuracy->asked_rad, 2).first);
+    point.reason =
+        fmt::format("the drift error asked for, {} rad, was not reached: its bound is {} rad", result.accuracy->asked_rad,
+                    told_apart(result.accuracy->reached_rad, result.accuracy->asked_rad, 2).first);
   }
   point.scenario_sha256 = result.scene.sha256();
   for (std::size_t i = 0; i < study_.quantities.size(); ++i)

@@ -137,15 +137,15 @@ void require_affordable(const Study& study) {
   const StudyEstimate e = estimate(study);
   if (e.core_seconds > 3600 * limit.core_hours)
     refuse("/axes",
-           fmt::format("the study's {} points take about {} hours on one core and {:.2g} GB; at most {} hours are allowed; take "
-                       "fewer points or a shorter motion, or raise /limits/core_hours",
-                       points, told_apart(e.core_seconds / 3600, limit.core_hours, 2).first, e.disk_bytes / 1e9,
-                       limit.core_hours));
+           fmt::format(
+               "the study's {} points take about {} hours on one core and {:.2g} GB; at most {} hours are allowed; take "
+               "fewer points or a shorter motion, or raise /limits/core_hours",
+               points, told_apart(e.core_seconds / 3600, limit.core_hours, 2).first, e.disk_bytes / 1e9, limit.core_hours));
   if (e.disk_bytes > 1e9 * limit.disk_gb)
-    refuse("/axes", fmt::format("the study's {} points take about {} GB and {:.2g} hours on one core; at most {} GB are allowed; "
-                                "take fewer points or quantities, or raise /limits/disk_gb",
-                                points, told_apart(e.disk_bytes / 1e9, limit.disk_gb, 2).first, e.core_seconds / 3600,
-                                limit.disk_gb));
+    refuse("/axes",
+           fmt::format("the study's {} points take about {} GB and {:.2g} hours on one core; at most {} GB are allowed; "
+                       "take fewer points or quantities, or raise /limits/disk_gb",
+                       points, told_apart(e.disk_bytes / 1e9, limit.disk_gb, 2).first, e.core_seconds / 3600, limit.disk_gb));
 }
 
 std::string study_sha256(const Study& study) {

@@ -74,7 +74,8 @@ double invariant_error(const CriterionSpec& criterion, Runs& runs) {
   if (criterion.quantity == "goryachev_chaplygin") return largest_change(result, goryachev_chaplygin);
   if (criterion.quantity == "vertical_momentum") return largest_change(result, vertical_momentum);
   for (const InvariantReport& invariant : result.invariants)
-    if (invariant.name == criterion.quantity) return share_of(invariant.largest_change, invariant.scale).value_or(invariant.largest_change);
+    if (invariant.name == criterion.quantity)
+      return share_of(invariant.largest_change, invariant.scale).value_or(invariant.largest_change);
   throw NotJudged("this scenario does not conserve it");
 }
 

@@ -28,7 +28,7 @@ import doors_test
 # Beginnings and parts of messages of libraries, of the C++ library and of interpreters.
 RAW = re.compile(r"json\.exception|\bstd::|bad_alloc|boost::|filesystem error|basic_string|vector::|\b_M_|__throw|"
                  r"terminate called|what\(\)|SQLite|sqlite3|disk image|file is not a database|no such (?:table|column)|"
-                 r"disk I/O error|database schema|gsl:|nlohmann|type must be|ReferenceType|\bsto[id]\b|Could not convert|"
+                 r"disk I/O error|database schema|gsl:|nlohmann::|type must be|ReferenceType|\bsto[id]\b|Could not convert|"
                  r"Traceback|CLI::|unexpected: |Assertion|operator\(\)")
 OTHERS = [None, "x", "", [], {}, [1], {"a": 1}, True, -1, 0, 1.5, 1e308, -1e-320, 9007199254740993, "nan", [[]]]
 

@@ -60,9 +60,7 @@ TEST(Arithmetic, TrapsAreFound) {
 
 #if defined(__SSE2__)
 TEST(Arithmetic, StatesOfOneUnitAreFound) {
-  const auto set = [](unsigned bits) {
-    return [bits] { _mm_setcsr(_mm_getcsr() | bits); };
-  };
+  const auto set = [](unsigned bits) { return [bits] { _mm_setcsr(_mm_getcsr() | bits); }; };
   for (const unsigned bits : {0x8000U, 0x0040U, 0x8040U})  // flush to zero, denormals are zero
     expect_found("subnormal numbers are flushed to zero", set(bits));
   for (const unsigned mode : {_MM_ROUND_DOWN, _MM_ROUND_UP, _MM_ROUND_TOWARD_ZERO})

@@ -87,7 +87,8 @@ TEST(NumberWords, NothingIsASizeOfNothing) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(share_of(1, 4), 0.25);
   EXPECT_EQ(share_of(0, -4), 0);
-  for (const auto& [part, whole] : {std::pair(0.0, 0.0), {1.0, 0.0}, {kInfinity, 1.0}, {1.0, kInfinity}, {1.0, 1e-320}, {NAN, 1.0}})
+  for (const auto& [part, whole] :
+       {std::pair(0.0, 0.0), {1.0, 0.0}, {kInfinity, 1.0}, {1.0, kInfinity}, {1.0, 1e-320}, {NAN, 1.0}})
     EXPECT_EQ(share_of(part, whole), std::nullopt) << part << " of " << whole;
 }
 

@@ -96,8 +96,9 @@ TEST(ContactText, BalancesAreThoseOfTheWorsePrediction) {
   EXPECT_NE(joined(contact_balance_lines(result)).find("friction does no work"), std::string::npos);
   // Of an integral that is 0 nothing is said as a share; one motion in which it is not 0 has one.
   result.contact->rotating = {ContactBalance{}, ContactBalance{}};
-  EXPECT_NE(joined(contact_balance_lines(result)).find("|Jellett's integral changes by +0.000000e+00 kg m^3/s, as the effects of "
-                                                       "the Earth and of friction's moment predict, to 5.0e-13"),
+  EXPECT_NE(joined(contact_balance_lines(result))
+                .find("|Jellett's integral changes by +0.000000e+00 kg m^3/s, as the effects of "
+                      "the Earth and of friction's moment predict, to 5.0e-13"),
             std::string::npos);
   result.contact->reference = result.contact->rotating;
   EXPECT_EQ(joined(contact_balance_lines(result)),

@@ -74,8 +74,7 @@ std::string inputs_text(const Budget& budget, std::size_t screen_width) {
   std::size_t width = 22;
   for (const InputNeed& need : budget.inputs) width = std::max(width, need.name.size() + 2);
   for (const InputNeed& need : budget.inputs) {
-    const std::optional<double> share =
-        need.hides_earth ? share_of(*need.hides_earth, std::abs(need.value)) : std::nullopt;
+    const std::optional<double> share = need.hides_earth ? share_of(*need.hides_earth, std::abs(need.value)) : std::nullopt;
     const std::string relative = share ? fmt::format(", {:.1e} of it", *share) : "";
     text += fmt::format(
         "  {:<{}}{:>14.6g}   {}\n", need.name, width, need.value,

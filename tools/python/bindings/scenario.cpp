@@ -27,16 +27,15 @@ void bind_scenario(py::module_& module) {
   py::class_<Scene>(module, "Scene", "A scenario that has been checked and resolved; it never changes.")
       .def_property_readonly("name", [](const Scene& scene) { return scene.scenario().name; })
       .def_property_readonly("sha256", property([](const Scene& scene) { return scene.sha256(); }))
-      .def_property_readonly(
-          "canonical", property([](const Scene& scene) { return canonical_json(scene.scenario()); }),
-          "canonical text of the scenario: one line of JSON with every default written out")
-      .def_property_readonly(
-          "top", property([](const Scene& scene) { return top_json(scene); }), "figures of the top, as JSON")
-      .def_property_readonly("method", property([](const Scene& scene) { return std::string(to_string(scene.choice().options.method)); }))
+      .def_property_readonly("canonical", property([](const Scene& scene) { return canonical_json(scene.scenario()); }),
+                             "canonical text of the scenario: one line of JSON with every default written out")
+      .def_property_readonly("top", property([](const Scene& scene) { return top_json(scene); }), "figures of the top, as JSON")
+      .def_property_readonly("method",
+                             property([](const Scene& scene) { return std::string(to_string(scene.choice().options.method)); }))
       .def_property_readonly("estimated_seconds", property([](const Scene& scene) { return estimated_run_seconds(scene); }))
       .def_property_readonly("rows", property([](const Scene& scene) {
-        return output_times(scene.scenario().duration_s, scene.scenario().output_step_s).size();
-      }));
+                               return output_times(scene.scenario().duration_s, scene.scenario().output_step_s).size();
+                             }));
 
   module.def(
       "examine",
