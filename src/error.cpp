@@ -123,7 +123,9 @@ std::string plain_words(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory; ask for fewer rows, or end other programs";
   if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
     return fmt::format("{}: {}", printable(of_file->path1().string()), of_file->code().message());
-  if (const auto* of_system = dynamic_cast<const std::system_error*>(&error)) return of_system->code().message();
+  if (const auto* of_system = dynamic_cast<const std::system_error*>(&error))
+    return of_system->code() == std::errc::resource_unavailable_try_again ? "no thread can be started; end other programs"
+                                                                          : of_system->code().message();
   return "a defect of earthtop, and not of what it was given; please report it with the command and its files";
 }
 

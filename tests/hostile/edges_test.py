@@ -6,7 +6,7 @@ usage: edges_test.py PROGRAM [--seed N] [--python DIR] [--only KIND]
 
 On a table every law of friction meets no friction, a point tip, no spin, a tiny patch, an axis that nearly lies, and next to no
 gravity; on a pivot a top meets a tiny mass, no lever, no gravity, no spin, no Earth rate and a tiny duration. Each scene goes
-through check, run, explain, report, a comparison of the result with itself, the JSON of each, and, with --python, the package in
+through check, run, explain, report, comparisons of the result with itself and with that of another tolerance, the JSON of each, and, with --python, the package in
 that directory. Nobody may read an infinity or NaN anywhere, and each end has a name: done, refused, or a numerical outcome.
 """
 import copy
@@ -174,6 +174,15 @@ def main():
                 faults += no_numbers(page.name, page.read_text())
             for json_too in ([], ["--json"]):
                 faults += earthtop(" ".join(["compare", *json_too]), (0,), "compare", "out", "out", *json_too)[1]
+            # Another tolerance gives other numbers, and differences where there was nothing.
+            other = ["run", "edge.json", "--out", "other", "--quiet", "--set", "/numerics/relative_tolerance=1e-9"]
+            if earthtop("run", (0, 2, 3), *other)[0].status != 2:
+                faults += earthtop("compare others", (0, 1), "compare", "out", "other")[1]
+                compared, more = earthtop("compare others --json", (0, 1), "compare", "out", "other", "--json", "--junit", "junit.xml")
+                (folder / "comparison.json").write_text(compared.out)
+                faults += more + no_numbers("junit.xml", (folder / "junit.xml").read_text())
+                faults += earthtop("report comparison.json", (0,), "report", "comparison.json", "--quiet")[1]
+                faults += no_numbers("comparison.html", (folder / "comparison.html").read_text())
         elif ran.status == 0:
             faults.append("run: no summary.json")
         done = (0, 2, 3) if good else (2,)

@@ -125,8 +125,9 @@ def main():
         return faults + [f"does not say {word!r}: {end.err[:200]!r}" for word in words if word not in end.err]
 
     kinds = ["program"] + (["Python, state at import", "Python, state at call"] if under.options.python else [])
-    under.all([(kind, " and ".join(names), bits, words, texts[i % 3]) for kind in kinds for i, (names, bits, words) in enumerate(tried)],
-              attempt)
+    # Where inexact results trap, Python's own divisions end it.
+    under.all([(kind, " and ".join(names), bits, words, texts[i % 3]) for kind in kinds for i, (names, bits, words) in enumerate(tried)
+               if kind[-4:] != "call" or not any("trapping inexact" in name for name in names)], attempt)
     under.end()
 
 

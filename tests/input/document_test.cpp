@@ -5,8 +5,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <new>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
 
+#include "earthtop/arithmetic.hpp"
 #include "earthtop/error.hpp"
 #include "input/csv_reader.hpp"
 #include "input/findings.hpp"
@@ -158,6 +163,39 @@ TEST(Shortened, EveryLineOfADiagnosticIsShort) {
     EXPECT_LT(format_diagnostic(text, findings.errors("").front()).size(), 2048U) << unit;
   }
   EXPECT_TRUE(format_diagnostic(std::string(5000, 'd') + "/name.json", {}).find("ddd/name.json: ") != std::string::npos);
+}
+
+/// What nlohmann says of reading a document's values is said in words of its reader.
+TEST(PlainWords, AreSaidOfADocumentsErrors) {
+  const nlohmann::ordered_json document = {{"a", {1, 2}}, {"b", "x"}};
+  const auto said = [](const auto& read) -> std::string {
+    try {
+      read();
+    } catch (const nlohmann::ordered_json::exception& error) {
+      return complaint_of(error);
+    }
+    return "nothing";
+  };
+  const std::string kind = "a value is of another kind, or a list has another length";
+  EXPECT_EQ(said([&] { return document.at("drift"); }), "a member is missing: drift");
+  EXPECT_EQ(said([&] { return document.at("b").get<double>(); }), kind);
+  EXPECT_EQ(said([&] { return document.at("a").at("c"); }), kind);
+  EXPECT_EQ(said([&] { return document.at("a").at(7); }), kind);
+  EXPECT_EQ(said([&] { return document.at(nlohmann::ordered_json::json_pointer("/b/c")); }), kind);
+  EXPECT_EQ(said([&] { return count_in(document.at("b")); }), "not a whole number of at least 0");
+}
+
+TEST(PlainWords, OfAnExceptionAreNoTextOfALibrary) {
+  EXPECT_EQ(plain_words(ScenarioError("/a", "is wrong")), "error: /a: is wrong");
+  EXPECT_EQ(plain_words(ReadError("a.csv", "is gone")), "a.csv: is gone");
+  EXPECT_EQ(plain_words(ArithmeticError("rounds up")), "rounds up");
+  EXPECT_EQ(plain_words(std::bad_alloc()), "out of memory; ask for fewer rows, or end other programs");
+  EXPECT_EQ(plain_words(std::filesystem::filesystem_error("x", "a\nb", std::make_error_code(std::errc::permission_denied))),
+            "a\\x0ab: Permission denied");
+  EXPECT_EQ(plain_words(std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again))),
+            "no thread can be started; end other programs");
+  EXPECT_EQ(plain_words(std::out_of_range("vector::_M_range_check")),
+            "a defect of earthtop, and not of what it was given; please report it with the command and its files");
 }
 
 }  // namespace

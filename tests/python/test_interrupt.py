@@ -4,6 +4,8 @@
 import ctypes
 import os
 import platform
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -115,6 +117,23 @@ def test_another_state_of_the_processor_does_not_change_digits(state):
     with State(*STATES[state]):
         found, *found_others = digits()
     assert found.summary == expected.summary and np.array_equal(found.q_LB, expected.q_LB) and found_others == others
+
+
+@pytest.mark.skipif("asan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer needs terabytes of addresses")
+def test_too_little_memory_is_said_in_words():
+    code = """
+import resource
+import earthtop as et
+top = et.example("toy-top").changed(duration_s=100, output_step_s=1e-4)
+pages = int(open("/proc/self/statm").read().split()[0])
+resource.setrlimit(resource.RLIMIT_AS, (pages * 4096 + (40 << 20),) * 2)
+try:
+    et.run(top)
+except MemoryError as error:
+    print(error)
+"""
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
+    assert said == "out of memory; ask for fewer rows, or end other programs\n"
 
 
 @pytest.mark.extra

@@ -72,6 +72,25 @@ CASES = [
     # what a key may have
     refused("/body/mass_kg: 0 is out of range; must be a number above 0 and at most 1e+06 (kg)", {"/body/mass_kg": 0},
             {"/body/mass_kg": 1e6}),
+    # The limit that is given is rounded to what is allowed, and what is too many is seen to be more than that.
+    refused("/motion/output_step_s: about 2000001 output rows; at most 2000000 are allowed: output_step_s must be at least "
+            "3.00001e-05 s for this duration", {"/motion/duration_s": 60, "/motion/output_step_s": 3e-5},
+            {"/motion/output_step_s": 3.00001e-5}),
+    refused("/numerics/step_s: about 2.0000001e+09 steps; at most 2e+09 are allowed: step_s must be at least 3e-08 s for this "
+            "duration", {"/motion/duration_s": 60, "/motion/output_step_s": 0.6, "/numerics": {"method": "gauss", "step_s": 2.99999999e-8}},
+            {"/numerics": {"method": "gauss", "step_s": 3e-8}}),
+    refused("/release/quaternion_LB: has the norm 1.0000010000001; must be 1 to within 1e-06 (it is then normalised)",
+            {"/release": {"quaternion_LB": {"w": 1.0000010000001, "x": 0, "y": 0, "z": 0}, "spin_rad_s": 100}},
+            {"/release": {"quaternion_LB": {"w": 1.000000999, "x": 0, "y": 0, "z": 0}, "spin_rad_s": 100}}),
+    Case("plan s.json --measure tilt_deg --sigma 1 --every 2.0000001",
+         "--every: 2.0000001 s is longer than the measurement, 2 s; take a shorter one", set={"/motion/duration_s": 2}, status=2),
+    Case("run s.json --json=maybe", "--json takes no value", status=2),
+    Case("report c.json", "is not as this program writes it; write it anew (a value is of another kind, or a list has another length)",
+         files={"c.json": '{"$schema": "earthtop-comparison-1.json", "pairs": [7]}'}, status=2),
+    Case("report p.json", "is not as this program writes it; write it anew (a member is missing: scenario)",
+         files={"p.json": '{"$schema": "earthtop-plan-1.json"}'}, status=2),
+    Case("study show store.sqlite", "store.sqlite: error: is not a study's store, or is damaged (it is not a database); the same study",
+         files={"store.sqlite": "no database" * 100}, status=2),
     refused("/body/inertia/matrix_kg_m2: is an array of 2; must be an array of 3 rows of 3 numbers from -1e+18 to 1e+18 (kg m^2)",
             {**BLOCK, "/body/inertia/matrix_kg_m2": [[1.2e-4, 0, 0], [0, 1.2e-4, 0]]},
             {"/body/inertia/matrix_kg_m2": [[1.2e-4, 0, 0], [0, 1.2e-4, 0], [0, 0, 4e-5]]}),
