@@ -36,21 +36,8 @@ std::uint64_t whole_number(const std::string& text) {
   return number;
 }
 
-using Facts = std::map<std::string, std::string>;
-
 constexpr const char* kFactsChecksum = "facts_checksum";  // the checksum of all facts but itself and the next
 constexpr const char* kContents = "contents";
-
-std::string facts_checksum(const Facts& facts) {
-  Checksum checksum;
-  for (const auto& [key, value] : facts) {
-    if (key == kFactsChecksum || key == kContents) continue;
-    checksum.add(fmt::format("{}:{}:", key.size(), value.size()));
-    checksum.add(key);
-    checksum.add(value);
-  }
-  return checksum_text(checksum.value());
-}
 
 Facts facts_of(sqlite::Connection& connection) {
   Facts facts;
@@ -101,6 +88,17 @@ void set_up(sqlite::Connection& connection) {
 }
 
 }  // namespace
+
+std::string facts_checksum(const Facts& facts) {
+  Checksum checksum;
+  for (const auto& [key, value] : facts) {
+    if (key == kFactsChecksum || key == kContents) continue;
+    checksum.add(fmt::format("{}:{}:", key.size(), value.size()));
+    checksum.add(key);
+    checksum.add(value);
+  }
+  return checksum_text(checksum.value());
+}
 
 std::string StoreCheck::text() const {
   const std::uint64_t wrong = damaged.size() + lost;

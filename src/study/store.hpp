@@ -18,6 +18,11 @@
 
 namespace earthtop::study {
 
+/// What a store says of its study, by key.
+using Facts = std::map<std::string, std::string>;
+/// The checksum of all facts but those that are checksums themselves.
+std::string facts_checksum(const Facts& facts);
+
 /// The findings of a check of a store.
 struct StoreCheck {
   bool has_checksums = true;           ///< false: a store from before there were checksums, of which nothing is known

@@ -19,6 +19,8 @@ struct Door {
   /// Lets the bytes in. @throws Broken where a property does not hold; anything but the documented exceptions, which it catches
   void (*enter)(std::string_view input);
   std::vector<std::string> (*seeds)();
+  /// Changes an input that stays of its kind; empty where it is of none. @param seed  the same one makes the same change
+  std::string (*mutated)(std::string_view input, std::uint32_t seed);
 };
 
 std::span<const Door> doors();
@@ -57,5 +59,6 @@ std::vector<std::string> measurement_document_seeds();
 std::vector<std::string> plan_document_seeds();
 std::vector<std::string> page_text_seeds();
 std::vector<std::string> store_seeds();
+std::vector<std::string> repair_seeds();
 
 }  // namespace earthtop::fuzz

@@ -15,6 +15,10 @@
 #include "fuzz/properties.hpp"
 #include "hostile/kinds.hpp"
 #include "results/seal.hpp"
+#include "study/design.hpp"
+#include "study/store.hpp"
+#include "text/checksum.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::fuzz {
 namespace {
@@ -31,6 +35,11 @@ constexpr const char* kMoreOfTheStudy = R"(, "name": "few", "title": "A study", 
  "axes": [{"name": "tilt", "pointer": "/release/tilt_deg", "values": [10, 20, 30, 200]}],
  "fits": [{"kind": "linear", "axis": "tilt", "quantity": "drift.axis_final_rad"}],
  "figures": [{"figure": "/points_failed", "value": 1, "tolerance": 0.5, "origin": "counted"}]})";
+
+ResultFiles files_in(const fs::path& results) {
+  return {unsealed(content_of(results / "summary.json")), content_of(results / "trajectory.csv"),
+          content_of(results / "torques.csv"), unsealed(content_of(results / "timing.json"))};
+}
 
 std::string study_text() { return std::string(R"({"base": )") + kScenario + kMoreOfTheStudy; }
 
@@ -57,9 +66,7 @@ Study Fixture::study() const { return parse_study({"few.json", study_text()}); }
 fs::path Fixture::store() const { return study_store(directory_.path() / "study"); }
 std::string Fixture::content(const fs::path& name) const { return content_of(directory_.path() / name); }
 
-ResultFiles Fixture::result_files() const {
-  return {unsealed(content("results/summary.json")), content("results/trajectory.csv"), content("results/torques.csv")};
-}
+ResultFiles Fixture::result_files() const { return files_in(results()); }
 
 std::string Fixture::reference() const {
   const fs::path file = directory_.path() / "reference.json";
@@ -112,6 +119,88 @@ std::string Fixture::plan() const {
   plan.until_s = 0.5;
   plan.estimates = {"spin_rad_s"};
   return plan_json(plan_measurement(scenario(), {}, plan));
+}
+
+std::string input_of(const ResultFiles& files) {
+  return joined({files.summary, files.trajectory, files.torques, files.timing});
+}
+
+ResultFiles result_files_in(std::string_view input) {
+  auto parts = parts_of(input);
+  parts.resize(4);
+  return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+ResultFiles with_checksums(ResultFiles files) {
+  const auto can_have_one = [](const std::string& document) { return document.ends_with("\n}\n"); };
+  FileChecksums checksums;
+  for (const auto& [name, text] : {std::pair("trajectory.csv", &files.trajectory), std::pair("torques.csv", &files.torques)})
+    if (!text->empty()) checksums.emplace_back(name, checksum_text(checksum_of(*text)));
+  if (can_have_one(files.summary)) files.summary = sealed(unsealed(files.summary), checksums);
+  if (can_have_one(files.timing)) files.timing = sealed(unsealed(files.timing));
+  return files;
+}
+
+std::vector<ResultFiles> results_of_many_kinds() {
+  using Sets = std::vector<std::pair<std::string, std::string>>;
+  const std::vector<std::pair<std::string, Sets>> runs = {
+      {"hard/k12-toy-top-stops.json", {}},
+      {"hard/k12-tippe-top-stops.json", {}},
+      {"dzhanibekov.json", {{"/motion/output_step_s", "10"}}},
+      {"sleeping-top-below-critical.json", {{"/motion/output_step_s", "1"}, {"/report/threshold_rad", "1e-6"}}},
+      {"hard/t08-gyrocompass.json", {}},
+      {"toy-top.json",
+       {{"/motion/duration_s", "0.02"}, {"/motion/output_step_s", "0.01"}, {"/numerics/precision", "float128"}}}};
+  std::vector<ResultFiles> kinds;
+  for (const auto& [file, sets] : runs) {
+    const testing::TemporaryDirectory directory;
+    write_results(run(parse_scenario({file, shipped(file), false}, sets)), directory.path() / "results", false);
+    kinds.push_back(files_in(directory.path() / "results"));
+  }
+  return kinds;
+}
+
+std::vector<std::string> stores_of_many_kinds() {
+  // Axes over words, several pointers and ranges; every design and kind of fit; and, last, more points than a page shows singly.
+  const std::vector<std::string> studies = {
+      R"("axes": [{"name": "rates", "pointer": "/release/rates_relative_to", "values": ["laboratory", "inertial"]},
+ {"name": "spin", "pointer": "/release/spin_rad_s", "log_range": {"from": 50, "to": 800, "points": 3}}])",
+      R"("axes": [{"name": "two", "pointers": ["/release/tilt_deg", "/release/azimuth_deg"], "values": [[1, 2], [3, 4], 5]}],
+ "design": {"kind": "one_at_a_time"}, "fits": [{"kind": "power_law", "axis": "two", "quantity": "a"}])",
+      R"("axes": [{"name": "latitude", "pointer": "/site/latitude_deg", "range": {"from": -90, "to": 90, "points": 5}}], "fits":
+ [{"kind": "sin_latitude", "axis": "latitude", "quantity": "a"}, {"kind": "cos_latitude", "axis": "latitude", "quantity": "a"}])",
+      R"("axes": [{"name": "spin", "pointer": "/release/spin_rad_s", "log_range": {"from": 50, "to": 800}}], "design":
+ {"kind": "random", "points": 8}, "fits": [{"kind": "logarithmic", "axis": "spin", "quantity": "a"}])",
+      R"("axes": [{"name": "spin", "pointer": "/release/spin_rad_s", "range": {"from": 50, "to": 800}}, {"name": "tilt",
+ "pointer": "/release/tilt_deg", "values": [10, 20, 30]}], "design": {"kind": "latin_hypercube", "points": 8, "seed": 3})",
+      R"("axes": [{"name": "spin", "pointer": "/release/spin_rad_s", "range": {"from": 50, "to": 800}}, {"name": "tilt",
+ "pointer": "/release/tilt_deg", "range": {"from": 1, "to": 30}}], "design": {"kind": "sobol", "points": 4, "indices": true})",
+      R"("axes": [{"name": "spin", "pointer": "/release/spin_rad_s", "range": {"from": 50, "to": 800, "points": 501}}, {"name": "tilt",
+ "pointer": "/release/tilt_deg", "values": [1, 2]}])"};
+  std::vector<std::string> stores;
+  for (const std::string& part : studies) {
+    const Study study =
+        parse_study({"many.json", std::string(R"({"base": )") + kScenario +
+                                      R"(, "title": "A study", "collect": [{"name": "a", "path": "drift.axis_final_rad"},
+ {"name": "bound", "path": "drift.axis_bound_rad"}, {"name": "verdict", "path": "drift.verdict"}], )" +
+                                      part + "}"});
+    const testing::TemporaryDirectory directory;
+    const fs::path file = directory.path() / "study.sqlite";
+    study::Store store = study::Store::create(file, study, {});
+    study::Design design(study);
+    store.begin();
+    for (std::uint64_t number = 0; number < *point_count(study); ++number) {
+      study::PointResult point{number, {}, "completed", "", "", {1e-6 * static_cast<double>(number + 1), 1e-12, "trusted"}};
+      const study::PlannedPoint planned = design.point(number);
+      for (std::size_t i = 0; i < study.axes.size(); ++i)
+        point.axis_values.push_back(axis_value(study.axes[i], planned.settings[i]));
+      store.insert(point);
+    }
+    store.commit();
+    store.finish();
+    stores.push_back(content_of(file));
+  }
+  return stores;
 }
 
 std::string shipped(const std::string& path) { return content_of(fs::path(EARTHTOP_SCENARIOS) / path); }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "earthtop/scenario/scenario.hpp"
 #include "earthtop/study/study.hpp"
@@ -10,10 +12,17 @@
 
 namespace earthtop::fuzz {
 
-/// The results of a top's run over six rows, with a ledger, as texts without their checksums.
+/// The results of a run as texts.
 struct ResultFiles {
-  std::string summary, trajectory, torques;
+  std::string summary, trajectory, torques, timing;
 };
+/// As the parts of an input; parts that are missing are empty.
+std::string input_of(const ResultFiles& files);
+ResultFiles result_files_in(std::string_view input);
+/// The same with the checksums that documents would have been written with.
+ResultFiles with_checksums(ResultFiles files);
+/// The results, without their checksums, of runs whose pages differ in what they show.
+std::vector<ResultFiles> results_of_many_kinds();
 
 class Fixture {
  public:
@@ -22,7 +31,7 @@ class Fixture {
   std::filesystem::path results() const { return directory_.path() / "results"; }  ///< of a run, with checksums
   std::filesystem::path store() const;  ///< of a study of four points, one of which is refused
   std::string content(const std::filesystem::path& name) const;
-  ResultFiles result_files() const;
+  ResultFiles result_files() const;  ///< of a top's run over six rows, with a ledger, without their checksums
   ScenarioSource scenario() const;
   Study study() const;
 
@@ -36,6 +45,9 @@ class Fixture {
   Fixture();
   testing::TemporaryDirectory directory_;
 };
+
+/// Stores of studies that differ in their designs, axes and fits; the numbers of their points are made up.
+std::vector<std::string> stores_of_many_kinds();
 
 /// A shipped file, by its path below scenarios/.
 std::string shipped(const std::string& path);

@@ -9,7 +9,6 @@
 #include <fstream>
 
 #include "fuzz/door.hpp"
-#include "fuzz/mutation.hpp"
 #include "fuzz/properties.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
@@ -77,8 +76,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   using namespace earthtop::fuzz;
   const bool of_its_kind = (seed & 1U) != 0;
   if (!of_its_kind) return LLVMFuzzerMutate(data, size, most);
-  const auto mutate = chosen->name.starts_with("store") ? mutated_store : mutated_text;
-  const std::string changed = mutate({reinterpret_cast<const char*>(data), size}, seed >> 1U);
+  const std::string changed = chosen->mutated({reinterpret_cast<const char*>(data), size}, seed >> 1U);
   if (changed.empty() || changed.size() > most) return LLVMFuzzerMutate(data, size, most);
   std::memcpy(data, changed.data(), changed.size());
   return changed.size();

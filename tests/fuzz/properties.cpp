@@ -98,6 +98,12 @@ std::vector<std::string> parts_of(std::string_view input) {
   }
 }
 
+std::string joined(const std::vector<std::string>& parts) {
+  std::string input;
+  for (std::size_t i = 0; i < parts.size(); ++i) input += (i > 0 ? std::string(1, kBetweenParts) : "") + parts[i];
+  return input;
+}
+
 const std::filesystem::path& Scratch::empty() {
   for (const auto& entry : std::filesystem::directory_iterator(directory())) std::filesystem::remove_all(entry.path());
   return directory();

@@ -50,6 +50,7 @@ bool accepts(const Work& work) {
 
 /// The parts of an input, which kBetweenParts separates.
 std::vector<std::string> parts_of(std::string_view input);
+std::string joined(const std::vector<std::string>& parts);
 
 /// The directory of this process's files, emptied for every input.
 class Scratch {

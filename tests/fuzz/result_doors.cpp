@@ -14,6 +14,7 @@
 #include "fuzz/fixture.hpp"
 #include "fuzz/properties.hpp"
 #include "results/seal.hpp"
+#include "study/sqlite.hpp"
 #include "support/json.hpp"
 
 namespace earthtop::fuzz {
@@ -52,17 +53,17 @@ void with_and_without_checksum(const std::string& document, const Enter& enter) 
   if (bare != document) enter(bare);
 }
 
-/// A summary, a trajectory and torques as a directory of results.
+/// The files of a run as a directory of results.
 template <class Enter>
 void with_results(std::string_view input, const Enter& enter) {
-  auto parts = parts_of(input);
-  parts.resize(3);
-  with_and_without_checksum(parts[0], [&](const std::string& summary) {
+  const ResultFiles files = result_files_in(input);
+  with_and_without_checksum(files.summary, [&](const std::string& summary) {
     const fs::path dir = Scratch::empty() / "results";
     Scratch::write("results/summary.json", summary);
-    Scratch::write("results/trajectory.csv", parts[1]);
-    if (!parts[2].empty()) Scratch::write("results/torques.csv", parts[2]);
-    enter(dir, parts[1]);
+    Scratch::write("results/trajectory.csv", files.trajectory);
+    if (!files.torques.empty()) Scratch::write("results/torques.csv", files.torques);
+    if (!files.timing.empty()) Scratch::write("results/timing.json", files.timing);
+    enter(dir, files.trajectory);
   });
 }
 
@@ -86,10 +87,12 @@ void enter_run_page(std::string_view input) {
 }
 
 std::vector<std::string> results_seeds() {
-  const ResultFiles files = Fixture::get().result_files();
-  const std::string between(1, kBetweenParts);
-  return {files.summary + between + files.trajectory + between + files.torques, files.summary + between + files.trajectory,
-          Fixture::get().content("results/summary.json") + between + files.trajectory + between + files.torques};
+  const ResultFiles bare = Fixture::get().result_files();
+  ResultFiles few = bare;
+  few.torques.clear(), few.timing.clear();
+  std::vector<std::string> seeds = {input_of(bare), input_of(few), input_of(with_checksums(bare))};
+  for (const ResultFiles& files : results_of_many_kinds()) seeds.push_back(input_of(files));
+  return seeds;
 }
 
 /// An accepted input can be compared, and written again as a reference with the same rows.
@@ -200,6 +203,17 @@ void enter_repair(std::string_view input) {
   });
 }
 
-std::vector<std::string> store_seeds() { return {content_of(Fixture::get().store())}; }
+std::vector<std::string> store_seeds() {
+  std::vector<std::string> seeds = stores_of_many_kinds();
+  seeds.insert(seeds.begin(), content_of(Fixture::get().store()));
+  return seeds;
+}
+
+/// The fixture's store, and the same one in pages so small that some points can be read where others cannot.
+std::vector<std::string> repair_seeds() {
+  const fs::path small = Scratch::write("small.sqlite", content_of(Fixture::get().store()));
+  study::sqlite::Connection(small.string(), study::sqlite::Connection::Mode::write).execute("PRAGMA page_size = 512; VACUUM");
+  return {content_of(Fixture::get().store()), content_of(small)};
+}
 
 }  // namespace earthtop::fuzz

@@ -2,7 +2,6 @@
 // Changes of JSON documents and CSV tables that stay JSON and CSV.
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "fuzz/door.hpp"
 #include "fuzz/mutation.hpp"
@@ -13,9 +12,6 @@ namespace earthtop::fuzz {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Random = std::mt19937;
-
-std::size_t below(Random& random, std::size_t count) { return count == 0 ? 0 : random() % count; }
 
 void collect(Json& json, std::vector<Json*>& nodes) {
   nodes.push_back(&json);
@@ -59,12 +55,19 @@ Json odd_value(Random& random) {
                                             Json::array({Json::array()}),
                                             Json::array({1, 2, 3}),
                                             Json::object({{"", 1}})};
-  return kValues[below(random, kValues.size())];
+  return one_of(random, kValues);
 }
 
+/// Changes one value; often one below a member of the document that is chosen first, so that a small one is as likely as a large.
 void change(Json& json, Random& random) {
   std::vector<Json*> nodes;
-  collect(json, nodes);
+  if (json.is_structured() && !json.empty() && !one_in(random, 3)) {
+    auto part = json.begin();
+    std::advance(part, static_cast<std::ptrdiff_t>(below(random, json.size())));
+    collect(*part, nodes);
+  } else {
+    collect(json, nodes);
+  }
   Json& node = *nodes[below(random, nodes.size())];
   switch (below(random, 7)) {
     case 0: node = Json(*nodes[below(random, nodes.size())]); return;
@@ -113,10 +116,6 @@ std::string changed_table(std::string_view text, Random& random) {
     begin = end + 1;
   }
   if (lines.empty()) return "";
-  static const std::vector<std::string> kCells = {
-      "",      "0",     "-0",  "1",   "nan",   "inf",          "-inf",   "1e999", "1e-400",
-      "1e308", "0x1p3", " 1 ", "1,2", "\"1\"", "3.4028235e38", "5e-324", "abc",   "0.10000000000000000000000000000000001",
-      "\t",    "-1",    "1e9"};
   const std::size_t at = below(random, lines.size());
   switch (below(random, 6)) {
     case 0: lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), lines[below(random, lines.size())]); break;
@@ -130,7 +129,7 @@ std::string changed_table(std::string_view text, Random& random) {
         if (line[i] == delimiter) starts.push_back(i + 1);
       const std::size_t start = starts[below(random, starts.size())];
       const std::size_t end = std::min(line.find(delimiter, start), line.size());
-      line.replace(start, end - start, kCells[below(random, kCells.size())]);
+      line.replace(start, end - start, odd_cell(random));
     }
   }
   std::string table;
@@ -140,20 +139,27 @@ std::string changed_table(std::string_view text, Random& random) {
 
 }  // namespace
 
+std::string odd_cell(Random& random) {
+  static const std::vector<std::string> kCells = {
+      "",      "0",     "-0",  "1",   "nan",   "inf",          "-inf",   "1e999", "1e-400",
+      "1e308", "0x1p3", " 1 ", "1,2", "\"1\"", "3.4028235e38", "5e-324", "abc",   "0.10000000000000000000000000000000001",
+      "\t",    "-1",    "1e9"};
+  return one_of(random, kCells);
+}
+
+std::string changed_text(std::string_view text, Random& random) {
+  Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_structured()) return changed_table(text, random);
+  for (std::size_t times = 1 + below(random, 3); times > 0; --times) change(json, random);
+  return written_replacing(json, 2) + "\n";
+}
+
 std::string mutated_text(std::string_view input, std::uint32_t seed) {
   Random random(seed);
   auto parts = parts_of(input);
   std::string& part = parts[below(random, parts.size())];
-  Json json = Json::parse(part, nullptr, false);
-  if (json.is_discarded() || !json.is_structured()) {
-    part = changed_table(part, random);
-  } else {
-    for (std::size_t times = 1 + below(random, 3); times > 0; --times) change(json, random);
-    part = written_replacing(json, 2) + "\n";
-  }
-  std::string whole;
-  for (const std::string& one : parts) whole += (whole.empty() ? "" : std::string(1, kBetweenParts)) + one;
-  return whole;
+  part = changed_text(part, random);
+  return joined(parts);
 }
 
 }  // namespace earthtop::fuzz
