@@ -18,7 +18,7 @@ std::string mutated_results(std::string_view input, std::uint32_t seed);
 /// Changes an SQLite database: a cell, a fact, a row, a column, its study, or whether it has checksums, which most often fit.
 /// Empty where it is no database.
 std::string mutated_store(std::string_view input, std::uint32_t seed);
-/// Damages a database as disks and kills do: bits, pages, the end of the file; or changes it as `mutated_store`.
+/// Damages a database as disks and kills do, bits, pages and the end of the file, or changes it without making the checksums fit.
 std::string damaged_store(std::string_view input, std::uint32_t seed);
 /// Changes which words of which document are replaced, and by which texts.
 std::string mutated_page_text(std::string_view input, std::uint32_t seed);

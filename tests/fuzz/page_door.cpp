@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/plot/plot.hpp"
-#include "earthtop/report/report.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "fuzz/door.hpp"
 #include "fuzz/fixture.hpp"
@@ -44,14 +43,6 @@ class Replacement {
   std::size_t count_ = 0;
 };
 
-void check_page(const fs::path& what) {
-  accepts([&] {
-    const Report report = make_report(what);
-    check_markup(report.html);
-    for (const auto& [name, picture] : report.pictures) check_markup(picture);
-  });
-}
-
 /// A page with this text in every place for text, valid UTF-8 or not.
 void check_plain_page(const std::string& text) {
   Figure figure{text, text, {text, text}, {}};
@@ -85,7 +76,7 @@ void check_study(const std::string& text) {
     made.commit();
     made.finish();
   });
-  check_page(store);
+  check_report(store);
   accepts([&] { check_json(study_json(store)); });
   std::string table;
   accepts([&] {
@@ -111,9 +102,10 @@ void enter_page_text(std::string_view input) {
   Json document = json_of(kDocuments[which]);
   Replacement(choice, parts).replace(document);
   Scratch::empty();
-  if (which + 1 < kDocuments.size()) return check_page(Scratch::write("document.json", written_replacing(document, 2) + "\n"));
+  if (which + 1 < kDocuments.size())
+    return check_report(Scratch::write("document.json", written_replacing(document, 2) + "\n"));
   Scratch::write("results/summary.json", written_replacing(document, 2) + "\n");
-  check_page(Scratch::write("results/trajectory.csv", Fixture::get().result_files().trajectory).parent_path());
+  check_report(Scratch::write("results/trajectory.csv", Fixture::get().result_files().trajectory).parent_path());
 }
 
 std::vector<std::string> page_text_seeds() {

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzz/properties.hpp"
 
+#include <sys/time.h>
+
 #include <algorithm>
+#include <atomic>
+#include <csignal>
 #include <fstream>
 
+#include "earthtop/report/report.hpp"
+#include "earthtop/results/results.hpp"
 #include "fuzz/door.hpp"
 #include "input/reader.hpp"
 #include "text/utf8.hpp"
@@ -23,6 +29,27 @@ bool is_not_finite(std::string_view cell) {
   if (cell.starts_with('-') || cell.starts_with('+')) cell.remove_prefix(1);
   return cell == "nan" || cell == "inf" || cell == "NaN" || cell == "Infinity";
 }
+
+/// Asks work to stop when it has taken a second of processor time: a page looks at its motion again, and a long one is no fault.
+class Patience {
+ public:
+  Patience() {
+    is_over_ = false;
+    std::signal(SIGVTALRM, [](int) { is_over_ = true; });
+    set(1);
+  }
+  ~Patience() { set(0); }
+  Patience(const Patience&) = delete;
+  Patience& operator=(const Patience&) = delete;
+  static Watch watch() { return &is_over_; }
+
+ private:
+  static void set(int seconds) {
+    const itimerval timer = {{0, 0}, {seconds, 0}};
+    ::setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+  }
+  static inline std::atomic<bool> is_over_ = false;
+};
 
 }  // namespace
 
@@ -86,6 +113,18 @@ std::size_t check_csv(std::string_view text, bool has_any_words) {
   }
   demand(cells == 0 && rows > 0, "the last line has an end", whole);
   return rows - 1;
+}
+
+void check_report(const std::filesystem::path& what) {
+  accepts([&] {
+    try {
+      const Patience patience;
+      const Report report = make_report(what, Patience::watch());
+      check_markup(report.html);
+      for (const auto& [name, picture] : report.pictures) check_markup(picture);
+    } catch (const Interrupted&) {  // by our impatience
+    }
+  });
 }
 
 std::vector<std::string> parts_of(std::string_view input) {

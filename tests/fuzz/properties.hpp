@@ -33,6 +33,8 @@ std::size_t check_csv(std::string_view text, bool has_any_words = false);
 /// A page, or a picture in XML: elements and attributes that the program writes and no others, each closed in order; `<`, `&` and
 /// `"` only where they mean markup; nothing that runs but the page's own script; its data are JSON.
 void check_markup(std::string_view text);
+/// The page of results, of a store or of a document, if there is one, and its pictures are such markup.
+void check_report(const std::filesystem::path& what);
 
 /// Lets work happen that may refuse its input. @returns whether it did not   @throws whatever is no documented refusal
 template <class Work>

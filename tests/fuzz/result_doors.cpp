@@ -6,7 +6,6 @@
 
 #include "compare/compact_reference.hpp"
 #include "earthtop/compare/compare.hpp"
-#include "earthtop/report/report.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "earthtop/study/study_columns.hpp"
@@ -21,14 +20,6 @@ namespace earthtop::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
-
-void check_report(const fs::path& what) {
-  accepts([&] {
-    const Report report = make_report(what);
-    check_markup(report.html);
-    for (const auto& [name, picture] : report.pictures) check_markup(picture);
-  });
-}
 
 void check_comparison(const fs::path& reference, const fs::path& candidate) {
   CompareOptions options;
