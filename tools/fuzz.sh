@@ -47,7 +47,7 @@ fuzz() {
   export TMPDIR="$scratch/$door" FUZZ_DOOR=$door
   FUZZ_SEEDS=$seeds "$program"
   if [[ -d $kept ]]; then cp "$kept"/* "$seeds/"; fi
-  "$program" -max_total_time="$seconds" -dict="$work/words.dict" -max_len=65536 -len_control=0 -timeout=10 -rss_limit_mb=2048 \
+  "$program" -max_total_time="$seconds" -dict="$work/words.dict" -max_len=131072 -len_control=0 -timeout=60 -rss_limit_mb=2048 \
     -artifact_prefix="$work/found/$door-" -print_final_stats=1 "$corpus" "$seeds" >"$log" 2>&1 || status=FAILED
   local executions last
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

@@ -7,6 +7,7 @@
 #include "compare/compact_reference.hpp"
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "earthtop/study/study_columns.hpp"
 #include "fuzz/door.hpp"
@@ -14,7 +15,7 @@
 #include "fuzz/properties.hpp"
 #include "results/seal.hpp"
 #include "study/sqlite.hpp"
-#include "support/json.hpp"
+#include "text/json.hpp"
 
 namespace earthtop::fuzz {
 namespace {
@@ -34,6 +35,19 @@ void check_comparison(const fs::path& reference, const fs::path& candidate) {
     const std::string xml = comparison_junit(report);
     demand(printable(xml).find("\\x") == std::string::npos || xml.find('\0') == std::string::npos, "XML without NUL", xml);
   });
+}
+
+/// Results that were read can be written, and read back the same, with checksums that fit.
+void check_copy(const ResultTexts& texts, const fs::path& dir) {
+  const nlohmann::ordered_json summary = json_of(texts.at("summary.json"));
+  const auto scenario = summary.find("scenario");
+  if (scenario == summary.end()) return;
+  const ScenarioReport report = examine_scenario({"", written_replacing(*scenario), false});
+  if (!report.scene) return;
+  write_results(texts, *report.scene, dir, false);
+  ResultTexts again;
+  demand(accepts([&] { again = read_result_texts(dir); }) && again == texts, "results read back", texts.at("summary.json"));
+  demand(seal_of(content_of(dir / "summary.json")) == Seal::fits, "written results have checksums", texts.at("summary.json"));
 }
 
 /// Every text as it is, and once more without the checksum that most changes would contradict.
@@ -68,6 +82,7 @@ void enter_results(std::string_view input) {
     accepts([&] {
       const ResultTexts texts = read_result_texts(dir);
       demand(texts.find("trajectory.csv")->second == trajectory, "texts are those of the files", input);
+      check_copy(texts, dir.parent_path() / "copy");
     });
   });
 }
