@@ -126,7 +126,7 @@ class MappedRows : public RowSource {
     require_later(reader_, row.t_s, last_s_);
     row.kind.fill(CellKind::empty);
     if (quaternion_) put_attitude(row);
-    if (rates_) put_vector(row, *rates_, rates_in_body_axes(row));
+    if (rates_) put_rates(row);
     if (axis_ && axis_->from > 0)
       put_vector(row, *axis_, R_LF_ * vector(*axis_));
     else if (axis_)
@@ -199,6 +199,12 @@ class MappedRows : public RowSource {
       row.value[axis_->first + i] = axis_L[static_cast<Eigen::Index>(i)];
       row.kind[axis_->first + i] = row.kind[quaternion_->first];
     }
+  }
+  void put_rates(Row& row) const {
+    put_vector(row, *rates_, rates_in_body_axes(row));
+    // Rates in world axes are turned by the attitude: without it there are none.
+    if (mapping_.rates_in_world_axes && row.kind[quaternion_->first] != CellKind::number)
+      std::fill_n(row.kind.begin() + static_cast<std::ptrdiff_t>(rates_->first), rates_->size, row.kind[quaternion_->first]);
   }
   Eigen::Vector3d rates_in_body_axes(const Row& row) const {
     const Eigen::Vector3d given = mapping_.rate_unit_rad_s * vector(*rates_);

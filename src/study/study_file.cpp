@@ -24,6 +24,7 @@ namespace {
 using namespace input;
 
 constexpr std::size_t kMostAxes = 20;  // GSL's Sobol sequence has 40 dimensions; Sobol indices need two per axis
+constexpr std::uint64_t kMostSobolPoints = (std::uint64_t{1} << 30U) - 1;  // GSL's sequence then ends
 constexpr std::size_t kMostQuantities = 200;
 constexpr std::size_t kLongestColumn = 200;  // bytes of a quantity's name
 
@@ -150,6 +151,10 @@ class Decoder {
     if (!drawn_ && design.has("seed")) design.refuse_key("seed", fmt::format("belongs to a drawn design, not to {}", kind));
     if (d.indices && d.kind != DesignKind::sobol) design.refuse_key("indices", "belongs to the sobol design");
     d.points = whole(design, "points").value_or(0);
+    if (d.kind == DesignKind::sobol && d.points > kMostSobolPoints)
+      design.refuse("points",
+                    fmt::format("{} is too large: a Sobol sequence has {} points; take fewer, or another kind of design",
+                                d.points, kMostSobolPoints));
   }
 
   static std::optional<std::uint64_t> whole(const Section& section, std::string_view key) {

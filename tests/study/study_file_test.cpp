@@ -98,6 +98,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{AXES R"(, "design": {"kind": "grids"})", "/design/kind", "did you mean \"grid\""},
         Fault{AXES R"(, "design": {"points": 3})", "/design/points", "drawn design"},
         Fault{AXES R"(, "design": {"kind": "random", "points": 3, "indices": true})", "/design/indices", "sobol"},
+        Fault{AXES R"(, "design": {"kind": "sobol", "points": 1073741824})", "/design/points",
+              "a Sobol sequence has 1073741823 points"},
         Fault{AXES R"(, "collect": [])", "/collect", "array of paths"},
         Fault{AXES R"(, "collect": "drift")", "/collect", "array"},
         Fault{AXES R"(, "collect": [3])", "/collect/0", "must be a path"},
