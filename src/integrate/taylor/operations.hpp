@@ -12,12 +12,13 @@ namespace earthtop::taylor {
 
 /// The kinds of operations. Those from `product` on sum over products of coefficients of lower orders.
 enum class Kind : unsigned char {
-  constant,  ///< a number
-  state,     ///< component of the state
-  time,      ///< the time t
-  given,     ///< component of a given function of time
-  held,      ///< a result that is constant along the exact motion: over a step its series is its value at the beginning
-  linear,    ///< a sum of numbers times results, plus a number
+  constant,   ///< a number
+  parameter,  ///< a number by which the right-hand side may be differentiated
+  state,      ///< component of the state
+  time,       ///< the time t
+  given,      ///< component of a given function of time
+  held,       ///< a result that is constant along the exact motion: over a step its series is its value at the beginning
+  linear,     ///< a sum of numbers times results, plus a number
   product,
   quotient,
   square_root,
@@ -25,6 +26,9 @@ enum class Kind : unsigned char {
   sine,   ///< the operation that follows is the cosine of the same argument
   cosine
 };
+
+/// Whether a result is a number that stands in the list.
+constexpr bool is_number(Kind kind) { return kind == Kind::constant || kind == Kind::parameter; }
 
 /// The number of products of series that an operation of a kind sums.
 constexpr int lanes_of(Kind kind) {
@@ -42,8 +46,9 @@ constexpr int lanes_of(Kind kind) {
 template <class T>
 struct Operation {
   Kind kind = Kind::constant;
-  int a = -1, b = -1;  ///< places of the operands; of `state`: the component; of `given`: the function and its component
-  T number = T(0);     ///< the constant; the exponent of a power; the number added to a linear sum
+  int a = -1, b = -1;  ///< places of the operands; of `state`: the component; of `parameter`: which one; of `given`: the
+                       ///< function and its component
+  T number = T(0);     ///< the constant or parameter; the exponent of a power; the number added to a linear sum
   T factor_a = T(1), factor_b = T(1);  ///< factors of the two operands of a linear sum
 };
 

@@ -224,8 +224,8 @@ class Builder : ProgramSums<T> {
       const Operation<T>& o = list_[index(i)];
       if (!is_needed(i) || is_joined(i)) continue;
       ++code_.used;
-      const bool is_there = o.kind == Kind::constant || o.kind == Kind::state;
-      if (o.kind == Kind::constant) code_.constants.push_back({places_[index(i)], o.number});
+      const bool is_there = is_number(o.kind) || o.kind == Kind::state;
+      if (is_number(o.kind)) code_.constants.push_back({places_[index(i)], o.number});
       is_written_[index(i)] = is_there;
       if (!is_there) waiting.push_back(i);
     }

@@ -77,7 +77,7 @@ class ProgramSums {
   /// Finds results that have no order but 0, apart from functions of state and time.
   void find_still() {
     for (const Operation<T>& o : list_) {
-      bool all = o.kind == Kind::constant || uses_a(o.kind);
+      bool all = is_number(o.kind) || uses_a(o.kind);
       if (o.kind != Kind::held) for_operands(o, [&](int operand) { all = all && still_[index(operand)]; });
       still_.push_back(all);
     }
@@ -128,7 +128,7 @@ class ProgramSums {
     const Operation<T>& o = list_[index(operand)];
     if (is_joined(operand))
       collect(operand, factor, held, sum);
-    else if (o.kind == Kind::constant)
+    else if (is_number(o.kind))
       add_number(factor * o.number, held, sum);
     else
       add_term({operand, factor, held}, sum);

@@ -39,6 +39,8 @@ class Recording {
   /// A number that follows from what an operation computes, and not from its place in the list.
   std::uint64_t mark(int place) const { return marks_[static_cast<std::size_t>(place)]; }
   int constant(T number) { return add({.kind = Kind::constant, .number = number}, number); }
+  /// Adds a number by which the right-hand side may be differentiated; each call makes another one.
+  int parameter(T number) { return add({.kind = Kind::parameter, .a = parameters_++, .number = number}, number); }
   /// Adds sine and cosine of a result. @returns the place of the sine; the cosine has the next one
   int sine_and_cosine(int argument) {
     const auto known = sines_.find(argument);
@@ -91,7 +93,8 @@ class Recording {
     };
     for (const T number : {o.number, o.factor_a, o.factor_b}) mix(bits(number).first), mix(bits(number).second);
     const bool has_operands = o.kind >= Kind::held;
-    mix(has_operands && o.a >= 0 ? this->mark(o.a) : o.kind == Kind::state ? static_cast<std::uint64_t>(o.a) : 0U);
+    const bool is_numbered = o.kind == Kind::state || o.kind == Kind::parameter;
+    mix(has_operands && o.a >= 0 ? this->mark(o.a) : is_numbered ? static_cast<std::uint64_t>(o.a) : 0U);
     mix(has_operands && o.b >= 0 ? this->mark(o.b) : 0U);
     // Functions of time are numbered as they are met.
     if (o.kind == Kind::given) mix(bits(value).first), mix(bits(value).second);
@@ -109,6 +112,7 @@ class Recording {
   std::vector<std::uint64_t> marks_;
   std::map<Key, int> places_;
   std::map<int, int> sines_;
+  int parameters_ = 0;
 };
 
 }  // namespace taylor
