@@ -26,6 +26,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
         equations_{model, top_, w_XB_B_[top_.axis], initial_rate_deviation_B(model)[top_.axis], b_.value, b_.rest},
         frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
 
+  const DrivenReducedEquations<T, O>& equations() const { return equations_; }
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
     return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_spinless<T>(equations_, x, t); });

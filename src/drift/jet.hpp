@@ -18,7 +18,7 @@ struct Jet {
   std::array<double, N> d = {};
 
   Jet() = default;
-  Jet(double x) : value(x) {}  // NOLINT(google-explicit-constructor): numbers in formulas are constants
+  constexpr Jet(double x) : value(x) {}  // NOLINT(google-explicit-constructor): numbers in formulas are constants
   explicit Jet(int x) : value(x) {}
 
   Jet& operator+=(const Jet& y) {
@@ -58,6 +58,23 @@ struct Jet {
   friend bool operator==(const Jet& x, const Jet& y) { return x.value == y.value; }
 };
 
+/// x y + z with one rounding of the value.
+template <std::size_t N>
+Jet<N> fma(const Jet<N>& x, const Jet<N>& y, const Jet<N>& z) {
+  Jet<N> sum = fma(x.value, y.value, z.value);
+  for (std::size_t i = 0; i < N; ++i) sum.d[i] = x.d[i] * y.value + x.value * y.d[i] + z.d[i];
+  return sum;
+}
+template <std::size_t N>
+Jet<N> round(const Jet<N>& x) {
+  return round(x.value);
+}
+template <std::size_t N>
+Jet<N> scale(Jet<N> x, int exponent) {
+  x.value = scale(x.value, exponent);
+  for (double& di : x.d) di = scale(di, exponent);
+  return x;
+}
 /// A function of x, given its value f and its slope there.
 template <std::size_t N>
 Jet<N> composed(const Jet<N>& x, double f, double slope) {

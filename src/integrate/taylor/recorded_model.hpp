@@ -3,6 +3,8 @@
 /// coefficients. It has to be included before any header of the model.
 #pragma once
 
+#include <vector>
+
 #include "integrate/taylor/recorded.hpp"
 #include "integrate/taylor/recorded_pair.hpp"
 //
@@ -37,25 +39,36 @@ class AngleSpline<real::Recorded<T>> {
   std::shared_ptr<const AngleSpline<T>> table_;
 };
 
-/// The tide.
+/// The tide: a sum of tides, each times a number or a parameter.
 template <class T>
 class TideSeries<real::Recorded<T>> {
  public:
   using Scalar = real::Recorded<T>;
   TideSeries() = default;
-  explicit TideSeries(TideSeries<T> tide) : tide_(std::move(tide)) {}
+  explicit TideSeries(TideSeries<T> tide) { add(Scalar(T(1)), std::move(tide)); }
+  void add(Scalar factor, TideSeries<T> tide) {
+    if (!tide.empty()) terms_.push_back({factor, std::move(tide)});
+  }
 
-  bool empty() const { return tide_.empty(); }
+  bool empty() const { return terms_.empty(); }
   Vec3<Scalar> acceleration_L(const Scalar& t) const {
-    taylor::GivenFunction<T> function;
-    function.components = 3;
-    function.expand = [tide = tide_](T at, std::span<std::array<T, 3>> rows) { tide.expand(at, rows); };
-    const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
-    return {Scalar(*t.recording(), places[0]), Scalar(*t.recording(), places[1]), Scalar(*t.recording(), places[2])};
+    Vec3<Scalar> sum = Vec3<Scalar>::Zero();
+    for (const auto& [factor, tide] : terms_) {
+      taylor::GivenFunction<T> function;
+      function.components = 3;
+      function.expand = [tide](T at, std::span<std::array<T, 3>> rows) { tide.expand(at, rows); };
+      const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
+      for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += factor * Scalar(*t.recording(), places[i]);
+    }
+    return sum;
   }
 
  private:
-  TideSeries<T> tide_;
+  struct Term {
+    Scalar factor;
+    TideSeries<T> tide;
+  };
+  std::vector<Term> terms_;
 };
 
 }  // namespace earthtop
