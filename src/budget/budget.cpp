@@ -75,10 +75,8 @@ struct Responding {
 /// Chooses the cheaper way. Differences of whole integrations exist for symmetric tops only.
 /// @param effects  number of the inputs that represent effects; they come first
 Responding responding(const Scene& scene, double time_s, const std::vector<ProblemDerivative>& inputs, std::size_t effects) {
-  constexpr double kWithTorques = 6;  // right-hand sides with every torque, over those of a plain scene
-  const double effects_seconds = variations_seconds(scene, time_s, kTolerance, effects);
-  const double inputs_seconds = variations_seconds(scene, time_s, kTolerance, inputs.size() - effects);
-  Responding by{std::nullopt, (scene.is_plain() ? kWithTorques : 1) * effects_seconds + inputs_seconds};
+  Responding by{std::nullopt, variations_seconds(scene, time_s, kTolerance, effects) +
+                                  variations_seconds(scene, time_s, kTolerance, inputs.size() - effects)};
   const Scene in_double = drift_scene(scene);
   const auto& problem = scene.problem<double>();
   if (!has_drift_differences(problem) || in_double.method_refusal(Method::taylor)) return by;
@@ -118,10 +116,12 @@ DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const
   const auto middle = inputs.begin() + static_cast<std::ptrdiff_t>(effects);
   const double share = double(effects) / double(inputs.size());
   DriftSensitivity drift =
-      drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), on_step);
+      drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), SensitivitySought::responses,
+                        on_step);
   inputs_status = drift.status;
   if (drift.status != RunStatus::completed || middle == inputs.end()) return drift;
-  const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1));
+  const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1),
+                                                  SensitivitySought::responses);
   inputs_status = more.status;
   drift.responses.insert(drift.responses.end(), more.responses.begin(), more.responses.end());
   return drift;

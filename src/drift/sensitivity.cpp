@@ -153,15 +153,17 @@ Vec3<double> values_of(const Vec3<Jet>& v) { return {v[0].value, v[1].value, v[2
 /// Integrates with one group of inputs, of which `count` are asked for, and appends their derivatives to the result.
 template <class Form>
 void follow(Form form, const MotionProblem<double>& problem, std::size_t count, double time_s, double relative_tolerance,
-            const Watch& watch, const std::function<void(const FollowedStep&)>& on_step, DriftSensitivity& result) {
+            const Watch& watch, SensitivitySought sought, const std::function<void(const FollowedStep&)>& on_step,
+            DriftSensitivity& result) {
   using Tangents = Followed<Form>;
   using State = typename Tangents::State;
-  constexpr int kLooks = 8;  // a step
+  const int looks = sought == SensitivitySought::responses ? 8 : 1;  // a step
   const auto& system = form.system();
   std::array<Responses, kInputs> responses;
   const auto look = [&](const State& x, double t) {
     const auto jets = Tangents::unpacked(x);
     form.follow(jets);
+    if (sought == SensitivitySought::nothing) return;
     follow_responses(system.deviation_state(jets, Jet(t)), responses);
     if (!on_step) return;
     const DriftState<Jet> s = system.shared_state(jets, Jet(t));
@@ -197,9 +199,9 @@ void follow(Form form, const MotionProblem<double>& problem, std::size_t count, 
       return;
     }
     ++result.counters.accepted;
-    for (int i = 1; i < kLooks; ++i) {
-      stepper.state_after(step * i / kLooks, x);
-      look(x, t + step * i / kLooks);
+    for (int i = 1; i < looks; ++i) {
+      stepper.state_after(step * i / looks, x);
+      look(x, t + step * i / looks);
     }
     t = step < end - t ? stepper.current_time() : end;
     x = stepper.current_state();
@@ -214,13 +216,14 @@ void follow(Form form, const MotionProblem<double>& problem, std::size_t count, 
     if (!result.azimuth) result.azimuth.emplace();
     include(*result.azimuth, measures.azimuth, count);
   }
-  result.responses.insert(result.responses.end(), responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(count));
+  if (sought == SensitivitySought::responses)
+    result.responses.insert(result.responses.end(), responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 }  // namespace
 
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
-                                   double time_s, double relative_tolerance, const Watch& watch,
+                                   double time_s, double relative_tolerance, const Watch& watch, SensitivitySought sought,
                                    const std::function<void(const FollowedStep&)>& on_step) {
   DriftSensitivity result;
   for (std::size_t first = 0; first < inputs.size() && result.status == RunStatus::completed; first += kInputs) {
@@ -231,9 +234,9 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
     const Watch part = watch.part(double(before) / double(groups), double(before + 1) / double(groups));
     const auto& watched = first == 0 ? on_step : nullptr;
     if (SymmetricTop::fits(problem, time_s, group))
-      follow(SymmetricTop(problem, group), problem, count, time_s, relative_tolerance, part, watched, result);
+      follow(SymmetricTop(problem, group), problem, count, time_s, relative_tolerance, part, sought, watched, result);
     else
-      follow(AnyBody(problem, group), problem, count, time_s, relative_tolerance, part, watched, result);
+      follow(AnyBody(problem, group), problem, count, time_s, relative_tolerance, part, sought, watched, result);
   }
   return result;
 }

@@ -22,8 +22,8 @@ constexpr double kShareOfDistance = 0.1;
 /// the drift.
 constexpr double kDerivativeRounding = 1e-12;
 
-/// Integrates the variational equations twice, and fills the report.
-void by_variations(const Scene& scene, const Watch& watch, SensitivityReport& report) {
+/// Integrates the variational equations twice, and fills the report. @returns how they ended
+RunStatus by_variations(const Scene& scene, const Watch& watch, SensitivityReport& report) {
   const InputDerivatives inputs = input_derivatives(scene);
   const auto integrated = [&](double tolerance, const Watch& part) {
     return drift_sensitivity(scene.problem<double>(), inputs.by_scaled_input, report.at_s, tolerance, part);
@@ -32,10 +32,7 @@ void by_variations(const Scene& scene, const Watch& watch, SensitivityReport& re
   DriftSensitivity coarse;
   if (drift.status == RunStatus::completed) coarse = integrated(kCoarseSensitivityTolerance, watch.part(0.64, 1));
   const RunStatus status = drift.status == RunStatus::completed ? coarse.status : drift.status;
-  if (status != RunStatus::completed) {
-    report.unavailable = fmt::format("their integration ended with {}", to_string(status));
-    return;
-  }
+  if (status != RunStatus::completed) return status;
   for (std::size_t i = 0; i < inputs.inputs.size(); ++i) {
     const double scale = inputs.scales[i];
     const auto by_input = [&](const Differentiated& quantity) { return quantity.derivatives[i] / scale; };
@@ -47,6 +44,7 @@ void by_variations(const Scene& scene, const Watch& watch, SensitivityReport& re
                            kDerivativeRounding * (std::abs(entry.axis_rad) + drift.axis.value / scale);
     report.inputs.push_back(entry);
   }
+  return status;
 }
 
 }  // namespace
@@ -63,9 +61,11 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
     report.unavailable = plan.refusal;
     return report;
   }
-  if (plan.route == SensitivityRoute::variations) {
-    by_variations(scene, watch, report);
-  } else {
+  const bool varied = plan.route == SensitivityRoute::variations;
+  const RunStatus status = varied ? by_variations(scene, watch, report) : RunStatus::step_underflow;
+  if (status == RunStatus::step_limit || status == RunStatus::interrupted) {
+    report.unavailable = fmt::format("their integration ended with {}", to_string(status));
+  } else if (status != RunStatus::completed) {  // differences pass the corners that variations do not
     // There are none where the watch asks to stop, which ends the whole run.
     if (auto entries =
             difference_sensitivities(scene, report.at_s, {row->drift_axis_bound_rad, row->drift_attitude_bound_rad}, watch))

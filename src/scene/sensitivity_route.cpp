@@ -20,18 +20,16 @@ constexpr double kRunsAnInput = 8;    // that differences take: three pairs of s
 }  // namespace
 
 double variations_seconds(const Scene& scene, double time_s, double relative_tolerance, std::size_t inputs) {
-  // Time of a right-hand side with the variations of four inputs, over that of one for both motions and their deviation, as
-  // measured on a toy top, on a body with three different moments and on a gyrocompass; and how many times that it is with friction
-  // and other applied torques, and without any effect (measured on four symmetric tops and on a body with three different moments).
-  constexpr double kAgainstOne = 4, kWithTorques = 6, kPlain = 5;
-  const std::size_t groups = (inputs + kInputsAtOnce - 1) / kInputsAtOnce;
-  double times = 1;
-  if (scene.scenario().effects.applied.any())
-    times = kWithTorques;
-  else if (scene.is_plain())
-    times = kPlain;
-  return double(groups) * kAgainstOne * times * general_evaluation_seconds(scene) *
-         variational_work(scene.pace(), time_s, relative_tolerance).evaluations;
+  // Measured on toy tops, a body with three different moments, a turntable, a pendulum and a gyrocompass, with and without effects.
+  constexpr double kRecording = 5e-3, kOrder = 2.2e-6, kOrderInGimbal = 5.5e-6;
+  const bool in_gimbal = scene.scenario().effects.applied.gimbal.has_value();
+  const double groups = std::ceil(double(inputs) / double(kInputsAtOnce));
+  IntegrationOptions series;
+  series.method = Method::taylor, series.relative_tolerance = relative_tolerance;
+  Pace pace = scene.pace();
+  pace.rows = pace.judgement_looks = 0;
+  const double orders = estimated_work(pace, series, !in_gimbal && scene.is_reducible_when_driven()).evaluations;
+  return groups * (kRecording + (in_gimbal ? kOrderInGimbal : kOrder) * orders * time_s / scene.scenario().duration_s);
 }
 
 Scene scene_for_differences(const Scene& scene) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Finds the derivatives of the drift with respect to inputs, such as moments of inertia or rates at release: from the
-/// variational equations of the reference motion and of the deviation, which are differentiated exactly (by jets) and
-/// integrated alongside the two.
+/// Finds the derivatives of the drift with respect to inputs, such as moments of inertia or rates at release. The equations of the
+/// reference motion and of the deviation are recorded and differentiated operation by operation (integrate/taylor/tangents.hpp),
+/// and the derivatives are integrated alongside the two by Taylor series: a symmetric top's without its spin where nothing breaks
+/// the symmetry, any other body's in body axes.
 #pragma once
 
 #include <functional>
@@ -69,15 +70,21 @@ struct FollowedStep {
   Vec3<double> w_LB_B;
 };
 
-/// Integrates both motions' equations and their derivatives by the inputs, in body axes, for any scene. The error of a step is
-/// held to `relative_tolerance` of the size of each derivative, or of a thousandth (of a radian, or of the unit of rate) where
-/// that is smaller. Inputs are therefore best measured in units that give derivatives of order 1.
+/// What is wanted besides the derivatives at the end.
+enum class SensitivitySought { nothing, responses };
+
+/// Integrates both motions' equations and their derivatives by the inputs, for any scene on a pivot whose friction has no corner.
+/// The error of a step is held to `relative_tolerance` of the size of each derivative, or of a thousandth (of a radian, or of the
+/// unit of rate) where that is smaller. Inputs are therefore best measured in units that give derivatives of order 1.
 /// @param inputs  any number of inputs of the problem's model and release; they are followed kInputsAtOnce at a time
 /// @param time_s  the time after the release at which the derivatives are wanted (s)
 /// @param watch  may end the integration early, with RunStatus::interrupted
-/// @param on_step  sees the release and the end of every step; may be null
+/// @param on_step  sees the release and some times in every step; may be null
+/// @returns the derivatives; `responses` stay empty unless they are sought. RunStatus::step_underflow where the motion comes to a
+/// corner, as dry or quadratic friction has one at rest
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const Watch& watch = {},
+                                   SensitivitySought sought = SensitivitySought::nothing,
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);
 
 }  // namespace earthtop
