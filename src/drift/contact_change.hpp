@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A change of the inputs of a motion on a table. In place of the Earth's rotation it makes the two motions of a pair differ: with
-/// epsilon = 0 in the model the differences of a drift integration are then the derivatives of the non-rotating prediction along
-/// the change, to first order and without a step of differences.
+/// A change of the inputs of the non-rotating prediction on a table, along which its derivatives are wanted.
 #pragma once
 
+#include <tuple>
+
 #include "earthtop/model/contact.hpp"
+#include "earthtop/model/model.hpp"
 
 namespace earthtop {
 
@@ -16,9 +17,11 @@ struct ContactChange {
   Vec3<T> gravity_H = Vec3<T>(T(0), T(0), T(0));
   EARTHTOP_MEMBERS(viscosity, coefficient, patch_radius, spinning_length, rolling_length, gravity_H)
 
-  void apply(Contact<Paired<T>>& pairs) const {
-    pairs.viscosity.diff = viscosity, pairs.coefficient.diff = coefficient, pairs.patch_radius.diff = patch_radius;
-    pairs.spinning_length.diff = spinning_length, pairs.rolling_length.diff = rolling_length;
+  /// What is changed, in the same order.   @param model  in the table's axes
+  template <class S>
+  static auto changed(Contact<S>& contact, Model<S>& model) {
+    return std::tie(contact.viscosity, contact.coefficient, contact.patch_radius, contact.spinning_length,
+                    contact.rolling_length, model.apparent_gravity_L);
   }
 };
 
@@ -33,7 +36,7 @@ ContactChange<T> table_tilt_change(const Vec3<T>& gravity_H, const SinCos<T>& az
   return change;
 }
 
-/// The model of the non-rotating prediction in which only a change makes two motions differ.
+/// The model of a pair that differs by a change of the non-rotating prediction to first order, and not by the Earth's rotation.
 template <class T>
 Model<T> model_for_change(const Model<T>& model) {
   Model<T> made = model;

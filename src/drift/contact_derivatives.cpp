@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
-#include "drift/contact_bundle.hpp"
 #include "drift/contact_stop_integration.hpp"
+#include "drift/contact_tangents.hpp"
 #include "integrate/taylor/stabilised_taylor.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
@@ -28,12 +29,12 @@ bool is_stiff(const DriftProblem<double>& problem) {
   return slow_slip > 0 && most > kFast * problem.fastest_rate * slow_slip;
 }
 
-/// Follows a bundle to a time.   @param take  called with (x, t, longest): takes one step, and returns how long it is
+/// Follows a motion with its derivatives to a time.   @param take  called with (x, t, longest): takes one step, and returns how long it is
 /// @returns whether it came there
 template <class State, class Scales, class TakeStep>
 bool follow(State& x, double end, Scales& scales, StepCounters& counters, const Watch& watch, const TakeStep& take) {
   for (double t = 0; t < end; ++counters.accepted) {
-    if (watch.asks_to_stop() || counters.accepted >= kMostBundleSteps) return false;
+    if (watch.asks_to_stop() || counters.accepted >= kMostTangentSteps) return false;
     if (counters.accepted % 64 == 0) watch.reach(t / end);
     const double step = take(x, t, end - t);
     if (!(t + step > t) || !all_finite(x)) return false;
@@ -47,27 +48,27 @@ template <class Drift>
 ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes, double at_s,
                                double relative_tolerance, const Watch& watch) {
   const Model<double> model = model_for_change(problem.model);
-  std::vector<Drift> drifts;
-  for (const ContactChange<double>& change : changes)
-    drifts.emplace_back(model, problem.table->contact, problem.table->start, problem.release, problem.units, change);
-  using Bundle = ContactBundle<Drift>;
-  const Bundle bundle(std::move(drifts));
+  if (changes.size() > kMostContactChanges) throw std::logic_error("too many changes of a motion on a table");
+  ContactChanges all;
+  std::ranges::copy(changes, all.begin());
+  using Tangents = ContactTangents<Drift>;
+  const Tangents motion(Drift(model, problem.table->contact, problem.table->start, problem.release, problem.units), all);
 
-  typename Bundle::State x = bundle.initial_state();
-  GroupScales<double, typename Bundle::Shape> scales;
-  scales.include(x), scales.include(bundle.typical_state());
-  auto series = bundle.series();
+  typename Tangents::State x = motion.initial_state();
+  GroupScales<double, typename Tangents::Shape> scales;
+  scales.include(x), scales.include(motion.typical_state());
+  auto series = motion.series();
   ContactDerivatives found;
   const double end = problem.units.time_from_s(at_s);
   if (is_stiff(problem)) {
-    taylor::StabilisedTaylor<Bundle> stepper(relative_tolerance * kStabilisedShare, scales);
+    taylor::StabilisedTaylor<Tangents> stepper(relative_tolerance * kStabilisedShare, scales);
     const auto take = [&](auto& state, double t, double longest) {
       found.counters.evaluations += taylor::kStabilisedDegree;
       return stepper.step(series, state, t, longest);
     };
     found.completed = follow(x, end, scales, found.counters, watch, take);
   } else {
-    taylor::TaylorStepper<double, Bundle> stepper(relative_tolerance, scales);
+    taylor::TaylorStepper<double, Tangents> stepper(relative_tolerance, scales);
     stepper.initialize(x, 0);
     const auto take = [&](auto& state, double, double longest) {
       stepper.limit_step(longest);
@@ -79,8 +80,8 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
     found.completed = follow(x, end, scales, found.counters, watch, take);
   }
   if (!found.completed) return found;
-  for (std::size_t c = 0; c < bundle.size(); ++c) {
-    const ContactDriftState<double> state = bundle.contact_state(x, c, end);
+  for (std::size_t c = 0; c < changes.size(); ++c) {
+    const ContactDriftState<double> state = motion.contact_state(x, c, end);
     const auto change = [](const Vec3<Paired<double>>& v) { return Vec3<double>(v[0].diff, v[1].diff, v[2].diff); };
     found.each.push_back({change(state.axis_L), change(state.tip_L)});
   }

@@ -23,14 +23,13 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
   static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
-  /// @param model  in laboratory axes   @param release  its attitude is relative to the table   @param change  see
-  /// contact_change.hpp
+  /// @param model  in laboratory axes   @param release  its attitude is relative to the table
   ContactGeneralDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
-                      const Release<T>& release, const NaturalUnits& units, const ContactChange<T>& change = {})
+                      const Release<T>& release, const NaturalUnits& units)
       : release_(release),
         start_(start),
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
-        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH, change) {}
+        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH) {}
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {

@@ -13,9 +13,9 @@
 /// left out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
-#include "drift/contact_change.hpp"
 #include "drift/contact_integrals.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/drift/deviation.hpp"
@@ -70,14 +70,12 @@ class ContactGeneralEquations {
   using Shape = ContactGeneralShape<O>;
   static constexpr std::size_t kSize = Shape::kSize, kHalf = Shape::kHalf;
   using State = std::array<T, kSize>;
+  using Half = std::array<T, kHalf>;
   using P = Paired<T>;
 
-  /// @param model  in the table's axes   @param change  see contact_change.hpp
-  ContactGeneralEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH,
-                          const ContactChange<T>& change = {})
-      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), change_(change), pairs_(paired(contact)) {
-    change.apply(pairs_);
-  }
+  /// @param model  in the table's axes
+  ContactGeneralEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH)
+      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), pairs_(paired(contact)) {}
 
   void operator()(const State& x, State& dxdt, T t) const {
     const T& epsilon = model_.epsilon;
@@ -144,10 +142,33 @@ class ContactGeneralEquations {
     return {x[kHalf], load_vector(x, kHalf + 1), load_vector(x, kHalf + Shape::kMomentum)};
   }
 
+  /// The pair of a motion and a small change of it, over epsilon; and that change. Of the pair y is half the turn, and P the change
+  /// of the momentum that turns along: q_rot = (1, epsilon y) q_ref, L_rot - L_ref = epsilon (P + 2 y x L).
+  static State pair(const Half& motion, const Half& change) {
+    State both;
+    std::ranges::copy(motion, both.begin());
+    std::ranges::copy(change, both.begin() + kHalf);
+    const Quaternion<T> turn = load_quaternion(change, 0) * load_quaternion(motion, 0).conjugate();
+    const Vec3<T> carried = T(2) * turn.v.cross(load_vector(motion, Shape::kMomentum));
+    both[kHalf] = T(1);
+    store_vector(turn.v, both, kHalf + 1);
+    store_vector(Vec3<T>(load_vector(change, Shape::kMomentum) - carried), both, kHalf + Shape::kMomentum);
+    return both;
+  }
+  static Half tangent(const State& both) {
+    Half change;
+    std::copy_n(both.begin() + kHalf, kHalf, change.begin());
+    const Vec3<T> y = load_vector(both, kHalf + 1), momentum = load_vector(both, Shape::kMomentum);
+    const Quaternion<T> turned = Quaternion<T>{T(0), y} * reference_attitude(both);
+    change[0] = turned.w;
+    store_vector(turned.v, change, 1);
+    store_vector(Vec3<T>(load_vector(both, kHalf + Shape::kMomentum) + T(2) * y.cross(momentum)), change, Shape::kMomentum);
+    return change;
+  }
+
   const Model<T>& model() const { return model_; }
   const Contact<T>& contact() const { return contact_; }
   const Quaternion<T>& q_LH() const { return q_LH_; }
-  const ContactChange<T>& change() const { return change_; }
 
  private:
   /// Both motions in the axes of the state.
@@ -204,14 +225,13 @@ class ContactGeneralEquations {
     }
   }
   ContactSurroundings<P> surroundings(const T& t) const {
-    return contact_surroundings<O>(model_, R_LH_, contact_, change_.gravity_H, t);
+    return contact_surroundings<O>(model_, R_LH_, contact_, t);
   }
 
   Model<T> model_;
   Contact<T> contact_;
   Quaternion<T> q_LH_;
   Mat3<T> R_LH_;
-  ContactChange<T> change_;
   Contact<P> pairs_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "drift/contact_bundle.hpp"
+#include "drift/contact_tangents.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
@@ -55,32 +55,32 @@ Seen seen(const General& drift, const General::State& x, double t) {
 
 template <class Drift>
 ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, double relative_tolerance, const Watch& watch) {
-  using Bundle = ContactBundle<Drift>;
-  using Pairs = typename Bundle::Bundle;
+  using Tangents = ContactTangents<Drift>;
   const Model<double> model = model_for_change(problem.model);
   const TableProblem<double>& table = *problem.table;
-  const Bundle bundle(std::vector<Drift>(kFollowed, Drift(model, table.contact, table.start, problem.release, problem.units)));
+  const Tangents motion(Drift(model, table.contact, table.start, problem.release, problem.units));
+  const Drift& drift = motion.drift();
 
   const double spin = norm(problem.units.rate_from_rad_s(problem.release.w_XB_B));
   const double rate = spin > 0 ? spin : problem.fastest_rate;
-  typename Bundle::State x = bundle.initial_state();
+  typename Tangents::State x = motion.initial_state();
   for (std::size_t d = 0; d < kFollowed; ++d) {
-    auto pair = Pairs::pair(x, d);
-    disturb(bundle.drift(d), kContactDisturbances[d].turn(), kContactDisturbances[d].rate() * rate, pair);
-    Pairs::put_pair(pair, x, d);
+    auto pair = Tangents::pair(x, d);
+    disturb(drift, kContactDisturbances[d].turn(), kContactDisturbances[d].rate() * rate, pair);
+    Tangents::put_change(pair, x, d);
   }
-  GroupScales<double, typename Bundle::Shape> scales;
-  scales.include(x), scales.include(bundle.typical_state());
-  taylor::TaylorStepper<double, Bundle> stepper(relative_tolerance, scales);
-  auto series = bundle.series();
+  GroupScales<double, typename Tangents::Shape> scales;
+  scales.include(x), scales.include(motion.typical_state());
+  taylor::TaylorStepper<double, Tangents> stepper(relative_tolerance, scales);
+  auto series = motion.series();
   ContactGrowth growth;
   const double end = problem.units.time_from_s(duration_s);
   const double longest = 1 / problem.fastest_rate;  // the path of the axis is measured from step to step
   stepper.initialize(x, 0);
   double t = 0, path = 0;
-  Vec3<double> axis = seen(bundle.drift(0), Pairs::pair(x, 0), 0).axis;
+  Vec3<double> axis = seen(drift, Tangents::pair(x, 0), 0).axis;
   for (; t < end; ++growth.counters.accepted) {
-    if (watch.asks_to_stop() || growth.counters.accepted >= kMostBundleSteps) return growth;
+    if (watch.asks_to_stop() || growth.counters.accepted >= kMostTangentSteps) return growth;
     if (growth.counters.accepted % 64 == 0) watch.reach(t / end);
     stepper.limit_step(std::min(longest, end - t));
     stepper.do_step(series);
@@ -93,7 +93,7 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
 
     double grown = 0;
     for (std::size_t d = 0; d < kFollowed; ++d) {
-      const Seen now = seen(bundle.drift(d), Pairs::pair(x, d), t);
+      const Seen now = seen(drift, Tangents::pair(x, d), t);
       grown = std::max(grown, real::hypot(norm(now.change), now.spin_change / rate));
       if (d > 0) continue;
       path += norm(Vec3<double>(now.axis - axis));

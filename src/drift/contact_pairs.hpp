@@ -51,24 +51,22 @@ class EarthTurn {
 };
 
 /// The surroundings of both motions at a time: the reference has no Earth rate, and its table does not turn.
-/// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide   @param gravity_change_H  of gravity over
-/// epsilon, where the inputs are changed
+/// @param model  in the table's axes   @param R_LH  attitude of these axes, for the tide
 template <Observer O, class T>
 ContactSurroundings<Paired<T>> contact_surroundings(const Model<T>& model, const Mat3<T>& R_LH, const Contact<T>& contact,
-                                                    const Vec3<T>& gravity_change_H, const T& t) {
+                                                    const T& t) {
   const Vec3<T> up(T(0), T(0), T(1));
   Vec3<T> gravity = model.apparent_gravity_L;
   if (!model.tide.empty()) gravity += transposed_times(R_LH, model.tide.acceleration_L(t));
   ContactSurroundings<Paired<T>> around;
   around.W = pair_of(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L_scaled, model.epsilon);
   if constexpr (O == Observer::laboratory) {
-    around.normal = unchanged<T>(up), around.gravity = pair_of(gravity, gravity_change_H, model.epsilon);
+    around.normal = unchanged<T>(up), around.gravity = unchanged<T>(gravity);
     if (contact.has_gradient)
       for (int j = 0; j < 3; ++j) around.gradient.col(j) = unchanged<T>(contact.gradient_H.col(j));
   } else {
     const EarthTurn<T> turn(model, t);
-    around.normal = turn.into_inertial(unchanged<T>(up)),
-    around.gravity = turn.into_inertial(pair_of(gravity, gravity_change_H, model.epsilon));
+    around.normal = turn.into_inertial(unchanged<T>(up)), around.gravity = turn.into_inertial(unchanged<T>(gravity));
     if (contact.has_gradient) around.gradient = turn.into_inertial(contact.gradient_H);
   }
   return around;

@@ -22,14 +22,13 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
   static constexpr bool kBoundOnly = true, kRungeKutta = std::is_same_v<T, double>;
   using State = std::array<T, kSize>;
 
-  /// @param model  in laboratory axes   @param release  its attitude is relative to the table   @param change  see
-  /// contact_change.hpp
+  /// @param model  in laboratory axes   @param release  its attitude is relative to the table
   ContactReducedDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
-                      const Release<T>& release, const NaturalUnits& units, const ContactChange<T>& change = {})
+                      const Release<T>& release, const NaturalUnits& units)
       : release_(release),
         start_(start),
         w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
-        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH, w_XB_B_[2], change),
+        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH, w_XB_B_[2]),
         attitude_(release.q_LB, w_XB_B_[2]) {}
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }

@@ -12,9 +12,9 @@
 /// that of the centre of mass, and the last two are left out.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
-#include "drift/contact_change.hpp"
 #include "drift/contact_integrals.hpp"
 #include "drift/contact_pairs.hpp"
 #include "earthtop/integrate/options.hpp"
@@ -75,20 +75,12 @@ class ContactReducedEquations {
   using Shape = ContactReducedShape<O>;
   static constexpr std::size_t kSize = Shape::kSize, kHalf = Shape::kHalf;
   using State = std::array<T, kSize>;
+  using Half = std::array<T, kHalf>;
   using P = Paired<T>;
 
-  /// @param model  in the table's axes   @param w3  inertial spin of the reference at release   @param change  see contact_change.hpp
-  ContactReducedEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH, T w3,
-                          const ContactChange<T>& change = {})
-      : model_(model),
-        contact_(contact),
-        q_LH_(q_LH),
-        R_LH_(rotation_matrix(q_LH)),
-        w3_(w3),
-        change_(change),
-        pairs_(paired(contact)) {
-    change.apply(pairs_);
-  }
+  /// @param model  in the table's axes   @param w3  inertial spin of the reference at release
+  ContactReducedEquations(const Model<T>& model, const Contact<T>& contact, const Quaternion<T>& q_LH, T w3)
+      : model_(model), contact_(contact), q_LH_(q_LH), R_LH_(rotation_matrix(q_LH)), w3_(w3), pairs_(paired(contact)) {}
 
   void operator()(const State& x, State& dxdt, T t) const {
     const Instant now = instant(x, t);
@@ -188,6 +180,19 @@ class ContactReducedEquations {
     return x;
   }
 
+  /// The pair of a motion and a small change of it, over epsilon; and that change.
+  static State pair(const Half& motion, const Half& change) {
+    State both;
+    std::ranges::copy(motion, both.begin());
+    std::ranges::copy(change, both.begin() + kHalf);
+    return both;
+  }
+  static Half tangent(const State& both) {
+    Half change;
+    std::copy_n(both.begin() + kHalf, kHalf, change.begin());
+    return change;
+  }
+
   /// Goes on under another law, as when slip stops.
   void set_law(ContactLaw law) { contact_.law = pairs_.law = law; }
 
@@ -195,7 +200,6 @@ class ContactReducedEquations {
   const Contact<T>& contact() const { return contact_; }
   const Quaternion<T>& q_LH() const { return q_LH_; }
   T w3() const { return w3_; }
-  const ContactChange<T>& change() const { return change_; }
 
  private:
   P pair_at(const State& x, std::size_t i) const { return P::apart(x[i], x[kHalf + i], model_.epsilon); }
@@ -226,7 +230,7 @@ class ContactReducedEquations {
   }
 
   ContactSurroundings<P> surroundings(const T& t) const {
-    return contact_surroundings<O>(model_, R_LH_, contact_, change_.gravity_H, t);
+    return contact_surroundings<O>(model_, R_LH_, contact_, t);
   }
 
   Model<T> model_;
@@ -234,7 +238,6 @@ class ContactReducedEquations {
   Quaternion<T> q_LH_;
   Mat3<T> R_LH_;
   T w3_;
-  ContactChange<T> change_;
   Contact<P> pairs_;
 };
 

@@ -12,6 +12,7 @@
 #include "drift/problem_jets.hpp"
 #include "drift/taylor/record_tangents.hpp"
 #include "earthtop/drift/sensitivity.hpp"
+#include "integrate/taylor/tangent_shape.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 #include "model/reduced_top.ipp"
 
@@ -19,21 +20,9 @@ namespace earthtop {
 namespace {
 
 constexpr std::size_t kInputs = kInputsAtOnce;
-constexpr std::size_t kSlots = kInputs + 1;  // one for the values, and one for the derivatives by each input
 
-/// The shape of a state with its derivatives. These are measured against their own size, or a thousandth, in natural units.
-template <class Shape>
-struct WithTangents {
-  static constexpr std::size_t kSize = kSlots * Shape::kSize;
-  static constexpr auto groups() {
-    constexpr auto own = Shape::groups();
-    std::array<ComponentGroup, kSlots * own.size()> all{};
-    for (std::size_t slot = 0; slot < kSlots; ++slot)
-      for (std::size_t g = 0; g < own.size(); ++g)
-        all[slot * own.size() + g] = {slot * Shape::kSize + own[g].begin, own[g].count, slot == 0 ? own[g].least_scale : 1e-3};
-    return all;
-  }
-};
+/// The least size, in natural units, that a derivative's error is measured against.
+constexpr double least_scale(double) { return 1e-3; }
 
 /// Any body in body axes.
 class AnyBody {
@@ -103,8 +92,9 @@ class SymmetricTop {
 /// The Taylor series of a form's state with its derivatives, for the stepper.
 template <class Form>
 struct Followed {
-  using Shape = WithTangents<typename Form::System::Shape>;
-  static constexpr std::size_t kSize = Shape::kSize, kValues = Form::System::kSize;
+  static constexpr std::size_t kValues = Form::System::kSize;
+  using Shape = taylor::TangentShape<typename Form::System::Shape, kValues, kInputs, least_scale>;
+  static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<double, kSize>;
   using Series = RecordedSeries<double, kSize>;
 

@@ -5,8 +5,10 @@
 
 #include <random>
 
+#include "drift/contact_derivatives.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 #include "support/contact_references.hpp"
+#include "support/contact_series.hpp"
 
 namespace earthtop {
 namespace {
@@ -213,19 +215,19 @@ TEST(ContactStart, SharesWhatItNames) {
 TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
   const ContactScene scene = testing::toy_on_table(
       {.tip_radius_m = 0.002, .law = ContactLaw::contensou, .friction_coefficient = 0.2, .patch_radius_m = 3e-5});
-  ContactProblem<double> problem(scene);
-  problem.model = model_for_change(problem.model);
+  const ContactProblem<double> problem(scene);
   ContactChange<double> friction;
   friction.coefficient = 1;
   const auto down_to_the_east = table_tilt_change(problem.model.apparent_gravity_L, SinCos<double>{1, 0});
   constexpr double kArcsecond = 4.848136811095360e-6;
-  const std::vector<double> times{0.2, 5};
-  const auto of_friction = testing::rows_of(problem, problem.system<Observer::laboratory>(friction), times, 1e-12);
-  const auto of_tilt = testing::rows_of(problem, problem.system<Observer::laboratory>(down_to_the_east), times, 1e-12);
-  EXPECT_NEAR(0.002 * size_of(of_friction[1].contact.axis_L, &Paired<double>::diff), 6.6e-5, 0.1e-5);
-  EXPECT_NEAR(0.002 * size_of(of_friction[1].contact.tip_L, &Paired<double>::diff), 1.3e-5, 0.1e-5);
-  EXPECT_NEAR(kArcsecond * size_of(of_tilt[1].contact.axis_L, &Paired<double>::diff), 9e-6, 1e-6);
-  EXPECT_NEAR(kArcsecond * size_of(of_tilt[1].contact.tip_L, &Paired<double>::diff), 1.0e-5, 0.1e-5);
+  const auto at = [&](double time_s) {
+    return contact_derivatives(testing::drift_problem(problem), std::array{friction, down_to_the_east}, time_s, 1e-12).each;
+  };
+  const auto early = at(0.2), late = at(5);
+  EXPECT_NEAR(0.002 * norm(late[0].axis_L), 6.6e-5, 0.1e-5);
+  EXPECT_NEAR(0.002 * norm(late[0].tip_L_m), 1.3e-5, 0.1e-5);
+  EXPECT_NEAR(kArcsecond * norm(late[1].axis_L), 9e-6, 1e-6);
+  EXPECT_NEAR(kArcsecond * norm(late[1].tip_L_m), 1.0e-5, 0.1e-5);
 
   const auto central = [&](auto&& changed, double step, const auto& derivative) {
     ContactScene more = scene, less = scene;
@@ -242,18 +244,17 @@ TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
     const auto [n_more, p_more] = in_table(m);
     const auto [n_less, p_less] = in_table(l);
     const double unit = step == 0.1 ? 0.1 * real::pi<double>() / 180 : step;
-    const auto compare = [&](const Vec3<Paired<double>>& known, const Vec3<double>& a, const Vec3<double>& b) {
+    const auto compare = [&](const Vec3<double>& known, const Vec3<double>& a, const Vec3<double>& b) {
       const Vec3<double> difference = (a - b) / (2 * unit);
       // Second order of the step: some 1e-4 of the derivative.
-      EXPECT_LT(norm(Vec3<double>(difference - Vec3<double>(known[0].diff, known[1].diff, known[2].diff))),
-                1e-3 * norm(difference));
+      EXPECT_LT(norm(Vec3<double>(difference - known)), 1e-3 * norm(difference));
     };
-    compare(derivative.contact.axis_L, n_more, n_less), compare(derivative.contact.tip_L, p_more, p_less);
+    compare(derivative.axis_L, n_more, n_less), compare(derivative.tip_L_m, p_more, p_less);
   };
-  central([](ContactSpec& c, double step) { c.friction_coefficient += step; }, 1e-3, of_friction[0]);
+  central([](ContactSpec& c, double step) { c.friction_coefficient += step; }, 1e-3, early[0]);
   central(
       [](ContactSpec& c, double step) { c.table_tilt_deg = std::abs(step), c.table_tilt_azimuth_deg = step > 0 ? 90 : 270; },
-      0.1, of_tilt[0]);
+      0.1, early[1]);
 }
 
 /// The model's units change nothing.

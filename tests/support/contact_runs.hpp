@@ -75,9 +75,9 @@ struct ContactProblem {
     start = make_contact_release<T>(scene.contact, units);
   }
   template <Observer O, Form F = Form::reduced>
-  auto system(const ContactChange<T>& change = {}) const {
+  auto system() const {
     using System = std::conditional_t<F == Form::reduced, ContactReducedDrift<T, O>, ContactGeneralDrift<T, O>>;
-    return System(model, contact, start, release, units, change);
+    return System(model, contact, start, release, units);
   }
 };
 
