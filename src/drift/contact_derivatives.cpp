@@ -49,8 +49,8 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
                                double relative_tolerance, const Watch& watch) {
   const Model<double> model = model_for_change(problem.model);
   if (changes.size() > kMostContactChanges) throw std::logic_error("too many changes of a motion on a table");
-  ContactChanges all;
-  std::ranges::copy(changes, all.begin());
+  ContactChanges all{changes.size()};
+  std::ranges::copy(changes, all.of_inputs.begin());
   using Tangents = ContactTangents<Drift>;
   const Tangents motion(Drift(model, problem.table->contact, problem.table->start, problem.release, problem.units), all);
 

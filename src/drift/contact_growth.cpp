@@ -58,7 +58,7 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   using Tangents = ContactTangents<Drift>;
   const Model<double> model = model_for_change(problem.model);
   const TableProblem<double>& table = *problem.table;
-  const Tangents motion(Drift(model, table.contact, table.start, problem.release, problem.units));
+  const Tangents motion(Drift(model, table.contact, table.start, problem.release, problem.units), {kFollowed});
   const Drift& drift = motion.drift();
 
   const double spin = norm(problem.units.rate_from_rad_s(problem.release.w_XB_B));

@@ -12,7 +12,11 @@ namespace earthtop {
 /// A motion is followed with its derivatives for at most this many steps.
 inline constexpr std::int64_t kMostTangentSteps = 20'000'000;
 inline constexpr std::size_t kMostContactChanges = 6;
-using ContactChanges = std::array<ContactChange<double>, kMostContactChanges>;
+/// Changes of the inputs, or none where only the start changes.
+struct ContactChanges {
+  std::size_t count = 0;  ///< of derivatives that are followed
+  std::array<ContactChange<double>, kMostContactChanges> of_inputs = {};
+};
 
 /// The reference alone of equations of a pair in laboratory axes, with its derivatives.
 /// @param x  the motion and its derivatives at which they are recorded
@@ -37,8 +41,8 @@ class ContactTangents {
   using State = std::array<double, kSize>;
   using Series = RecordedSeries<double, kSize>;
 
-  /// @param drift  a pair whose model has epsilon = 0 (model_for_change)   @param changes  of its inputs; none: start changes alone
-  explicit ContactTangents(Drift drift, const ContactChanges& changes = {}) : drift_(std::move(drift)), changes_(changes) {}
+  /// @param drift  a pair whose model has epsilon = 0 (model_for_change)
+  ContactTangents(Drift drift, const ContactChanges& changes) : drift_(std::move(drift)), changes_(changes) {}
 
   const Drift& drift() const { return drift_; }
   State initial_state() const { return alone(drift_.initial_state()); }

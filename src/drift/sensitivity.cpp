@@ -29,8 +29,8 @@ class AnyBody {
  public:
   using System = DriftSystem<Jet, Observer::body, SceneKind::full, RotatingMotion::composed>;
 
-  AnyBody(const MotionProblem<double>& problem, const Inputs& inputs)
-      : beside_{problem.model, inputs}, model_(jets_of(problem.model, inputs)), system_(model_) {
+  AnyBody(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
+      : beside_{problem.model, inputs, count}, model_(jets_of(problem.model, inputs)), system_(model_) {
     const Release<Jet> release = jets_of(problem.release, problem.units, inputs);
     initial_ = system_.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
     // The share of the Earth's rate in the deviation at release may itself be an input.
@@ -60,8 +60,8 @@ class SymmetricTop {
  public:
   using System = DrivenReducedDrift<Jet, Observer::laboratory>;
 
-  SymmetricTop(const MotionProblem<double>& problem, const Inputs& inputs)
-      : beside_{problem.model, inputs},
+  SymmetricTop(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
+      : beside_{problem.model, inputs, count},
         release_(jets_of(problem.release, problem.units, inputs)),
         system_(jets_of(problem.model, inputs), release_, problem.units) {}
   static bool fits(const MotionProblem<double>& problem, double time_s, const Inputs& inputs) {
@@ -224,9 +224,9 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
     const Watch part = watch.part(double(before) / double(groups), double(before + 1) / double(groups));
     const auto& watched = first == 0 ? on_step : nullptr;
     if (SymmetricTop::fits(problem, time_s, group))
-      follow(SymmetricTop(problem, group), problem, count, time_s, relative_tolerance, part, sought, watched, result);
+      follow(SymmetricTop(problem, group, count), problem, count, time_s, relative_tolerance, part, sought, watched, result);
     else
-      follow(AnyBody(problem, group), problem, count, time_s, relative_tolerance, part, sought, watched, result);
+      follow(AnyBody(problem, group, count), problem, count, time_s, relative_tolerance, part, sought, watched, result);
   }
   return result;
 }

@@ -146,6 +146,16 @@ TEST(Tangents, KeepTheGuardsOfTheList) {
   EXPECT_FALSE(program.guards_hold());
 }
 
+TEST(Tangents, BeyondThoseThatAreFollowedStayAsTheyAre) {
+  const Formula formula = [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{x * y, p * x}; };
+  const std::array<T, 4> start = moved(0, T(0));
+  const std::vector<T> x = {start[0], start[1], T(1), T(2), T(3), T(4)}, by_parameter(4, T(1));
+  const std::vector<T> series = coefficients(taylor::with_tangents<T>(record(formula, start), 1, by_parameter, x, kTime), x);
+  EXPECT_NE(series[x.size() + 2], T(0));
+  for (std::size_t k = 1; k <= kOrders; ++k)
+    for (const std::size_t i : {4U, 5U}) EXPECT_EQ(series[k * x.size() + i], T(0)) << "order " << k;
+}
+
 // Each product of the motion brings two for each direction, and nothing else.
 TEST(Tangents, GrowByTwoProductsADirection) {
   const Formula formula = [](const R& x, const R& y, const R&, const R&, const R&) { return Rates{x * y, (x * y) * x}; };

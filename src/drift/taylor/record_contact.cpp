@@ -53,7 +53,7 @@ std::vector<double> differentiate(const ContactChanges& changes, Contact<real::R
                            }};
   [&]<std::size_t... c>(std::index_sequence<c...>) {
     using Change = ContactChange<double>;
-    for_each_in_tuples(vary, Change::changed(contact, model), Change::members_of(changes[c])...);
+    for_each_in_tuples(vary, Change::changed(contact, model), Change::members_of(changes.of_inputs[c])...);
   }
   (std::make_index_sequence<kMostContactChanges>());
   return derivatives;
@@ -84,7 +84,7 @@ taylor::Operations<double> record_tangents_of(const Equations& equations, const 
   const ReferenceAlone<std::remove_const_t<decltype(made)>> reference{made};
   constexpr std::size_t kEach = Equations::kHalf;
   const auto plain = recorded_equations<double, kEach>(reference, recording, x.first(kEach), t);
-  return taylor::with_tangents<double>(plain, kMostContactChanges, derivatives, x, t);
+  return taylor::with_tangents<double>(plain, changes.count, derivatives, x, t);
 }
 
 }  // namespace

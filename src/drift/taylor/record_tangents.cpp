@@ -53,7 +53,7 @@ taylor::Operations<double> record(const Make& make, const BesideJets& beside, st
   std::vector<double> derivatives;
   const auto equations = make(ToParameter(recording, derivatives, beside));
   const auto plain = recorded_equations<double, N>(equations, recording, x.first(N), t);
-  return taylor::with_tangents<double>(plain, kInputsAtOnce, derivatives, x, t);
+  return taylor::with_tangents<double>(plain, beside.count, derivatives, x, t);
 }
 
 }  // namespace

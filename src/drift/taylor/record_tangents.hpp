@@ -16,6 +16,7 @@ namespace earthtop {
 struct BesideJets {
   const Model<double>& model;  ///< its table of angles and its tide
   const Inputs& inputs;        ///< the tides that they add
+  std::size_t count;           ///< of the inputs that are followed
 };
 
 /// The equations of any body in body axes (drift_system.hpp).

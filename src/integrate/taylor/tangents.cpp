@@ -15,7 +15,12 @@ class Tangents {
   using R = real::Recorded<T>;
 
   Tangents(const Operations<T>& source, std::size_t directions, std::span<const T> by_parameter, std::span<const T> x, T t)
-      : source_(source), directions_(directions), by_parameter_(by_parameter), x_(x), t_(t) {}
+      : source_(source),
+        directions_(directions),
+        slots_(x.size() / source.outputs.size() - 1),
+        by_parameter_(by_parameter),
+        x_(x),
+        t_(t) {}
 
   Operations<T> write() {
     results_.resize(source_.list.size());
@@ -28,6 +33,7 @@ class Tangents {
     for (const int output : source_.outputs) outputs.push_back(at(output).value.place_in(recording_));
     for (std::size_t k = 0; k < directions_; ++k)
       for (const int output : source_.outputs) outputs.push_back(at(output).tangents[k].place_in(recording_));
+    while (outputs.size() < x_.size()) outputs.push_back(R().place_in(recording_));
     return recording_.finish(outputs);
   }
 
@@ -66,7 +72,7 @@ class Tangents {
       case Kind::constant: made.value = o.number; break;
       case Kind::parameter:
         made.value = o.number;
-        each([&](std::size_t k) { return R(by_parameter_[static_cast<std::size_t>(o.a) * directions_ + k]); });
+        each([&](std::size_t k) { return R(by_parameter_[static_cast<std::size_t>(o.a) * slots_ + k]); });
         break;
       case Kind::state: {
         const auto component = static_cast<std::size_t>(o.a), size = source_.outputs.size();
@@ -113,7 +119,7 @@ class Tangents {
   }
 
   const Operations<T>& source_;
-  std::size_t directions_;
+  std::size_t directions_, slots_;
   std::span<const T> by_parameter_, x_;
   T t_;
   Recording<T> recording_;

@@ -15,11 +15,11 @@
 
 namespace earthtop::taylor {
 
-/// The list for the state x and its tangents in K directions: [x, tangent 0, .., tangent K - 1], each with as many components as x.
+/// The list for a state with its tangents, [motion, tangent 0, tangent 1, ..], each with as many components as the motion.
 /// Parameters become numbers.
-/// @param by_parameter  for each parameter, in their order, its derivatives in the K directions; as long as all parameters: the
-///   derivatives of one after the other
-/// @param x  a state with its tangents at which the new list is recorded; the part of x is that at which `operations` were
+/// @param directions  number of tangents that are followed; those after them, for which there is room, stay as they are
+/// @param by_parameter  for each parameter, in their order, its derivatives in all directions for which there is room
+/// @param x  the state with its tangents at which the new list is recorded; its motion is that at which `operations` were
 template <class T>
 Operations<T> with_tangents(const Operations<T>& operations, std::size_t directions, std::span<const T> by_parameter,
                             std::span<const T> x, T t);
