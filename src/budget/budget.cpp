@@ -115,9 +115,8 @@ DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const
                                       const std::function<void(const FollowedStep&)>& on_step, RunStatus& inputs_status) {
   const auto middle = inputs.begin() + static_cast<std::ptrdiff_t>(effects);
   const double share = double(effects) / double(inputs.size());
-  DriftSensitivity drift =
-      drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share), SensitivitySought::responses,
-                        on_step);
+  DriftSensitivity drift = drift_sensitivity(problem, {inputs.begin(), middle}, time_s, kTolerance, watch.part(0, share),
+                                             SensitivitySought::responses, on_step);
   inputs_status = drift.status;
   if (drift.status != RunStatus::completed || middle == inputs.end()) return drift;
   const DriftSensitivity more = drift_sensitivity(problem, {middle, inputs.end()}, time_s, kTolerance, watch.part(share, 1),

@@ -39,9 +39,8 @@ std::vector<double> changes_of(const Scene& scene, const std::vector<Candidate>&
   std::vector<ProblemDerivative> inputs;
   inputs.reserve(candidates.size());
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
-  const DriftSensitivity drift =
-      drift_sensitivity(scene.problem<double>(), inputs, share * scene.scenario().duration_s, kChoiceTolerance, watch,
-                        SensitivitySought::responses);
+  const DriftSensitivity drift = drift_sensitivity(scene.problem<double>(), inputs, share * scene.scenario().duration_s,
+                                                   kChoiceTolerance, watch, SensitivitySought::responses);
   if (drift.status != RunStatus::completed) return changes;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const double later = candidates[i].in_difference ? 1 / share : 1 / (share * share);

@@ -224,9 +224,7 @@ class ContactGeneralEquations {
       return {Vec3<P>(w_IB - around.W), found.momentum, found.v_P, found.X_C, found.reaction};
     }
   }
-  ContactSurroundings<P> surroundings(const T& t) const {
-    return contact_surroundings<O>(model_, R_LH_, contact_, t);
-  }
+  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
 
   Model<T> model_;
   Contact<T> contact_;

@@ -229,9 +229,7 @@ class ContactReducedEquations {
     return top;
   }
 
-  ContactSurroundings<P> surroundings(const T& t) const {
-    return contact_surroundings<O>(model_, R_LH_, contact_, t);
-  }
+  ContactSurroundings<P> surroundings(const T& t) const { return contact_surroundings<O>(model_, R_LH_, contact_, t); }
 
   Model<T> model_;
   Contact<T> contact_;

@@ -57,9 +57,7 @@ class ContactTangents {
     return drift_.contact_state(pair(x, c), t);
   }
   Series series() const {
-    return Series([this](const State& x, double t) {
-      return record_contact_tangents(drift_.equations(), changes_, x, t);
-    });
+    return Series([this](const State& x, double t) { return record_contact_tangents(drift_.equations(), changes_, x, t); });
   }
 
  private:

@@ -56,7 +56,8 @@ inline void differentiate_gradient(const std::array<GradientTerm<double>, 2>& d,
   const std::size_t first = terms[0].strength.value != 0 ? 0 : 1, second = 1 - first;
   const double k1 = terms[first].strength.value, k2 = terms[second].strength.value;
   if (k1 == 0) {
-    for (std::size_t i = 0; i < 2; ++i) terms[i].strength.d[k] = d[i].strength, terms[i].direction_L = d[i].direction_L.cast<Jet>();
+    for (std::size_t i = 0; i < 2; ++i)
+      terms[i].strength.d[k] = d[i].strength, terms[i].direction_L = d[i].direction_L.cast<Jet>();
     return;
   }
   Mat3<double> tensor = Mat3<double>::Zero();

@@ -50,8 +50,8 @@ TEST(Differences, AgreeWithTheVariationalEquations) {
     ASSERT_TRUE(has_drift_differences(scene.problem<double>()));
     const auto differences = drift_differences(scene.problem<double>(), inputs, c.scenario.duration_s, methods, {}, nullptr);
     ASSERT_TRUE(differences);
-    const DriftSensitivity exact = drift_sensitivity(scene.problem<double>(), inputs, c.scenario.duration_s, 1e-9, {},
-                                                     SensitivitySought::responses);
+    const DriftSensitivity exact =
+        drift_sensitivity(scene.problem<double>(), inputs, c.scenario.duration_s, 1e-9, {}, SensitivitySought::responses);
     EXPECT_NEAR(differences->axis.value, exact.axis.value, 1e-7 * exact.axis.value);
     ASSERT_EQ(differences->responses.size(), inputs.size());
     // Differences are good to some 1e-4. The largest values are seen at other times, up to half a nutation apart, in which a

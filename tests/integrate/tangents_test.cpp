@@ -81,25 +81,42 @@ void expect_tangents(const Formula& formula) {
   }
   for (std::size_t k = 0; k <= kOrders; ++k)
     for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_NEAR(static_cast<double>(series[k * x.size() + i] - plain[2 * k + i]), 0, 1e-30) << "the state itself, order " << k;
+      EXPECT_NEAR(static_cast<double>(series[k * x.size() + i] - plain[2 * k + i]), 0, 1e-30)
+          << "the state itself, order " << k;
 }
 
 TEST(Tangents, OfEachKindOfOperationAgreeWithDifferences) {
   const std::pair<const char*, Formula> kinds[] = {
-      {"constant", [](const R&, const R&, const R&, const R&, const R&) { return Rates{R(T(3)), R(T(-2))}; }},
-      {"parameter", [](const R&, const R&, const R& p, const R& q, const R&) { return Rates{p, q}; }},
-      {"state", [](const R& x, const R& y, const R&, const R&, const R&) { return Rates{y, x}; }},
-      {"time", [](const R& x, const R&, const R& p, const R&, const R& t) { return Rates{t * p, t * x}; }},
-      {"linear", [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{R(T(2)) * x - y, R(T(1)) - p - y}; }},
-      {"product", [](const R& x, const R& y, const R& p, const R& q, const R&) { return Rates{x * y, p * q * y * y}; }},
-      {"quotient", [](const R& x, const R& y, const R& p, const R& q, const R&) { return Rates{x / y, (p * y + q) / (x * x)}; }},
-      {"square root", [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{sqrt(y), sqrt(p + x * y)}; }},
-      {"power",
-       [](const R& x, const R& y, const R& p, const R&, const R&) {
-         return Rates{pow(y, R(T(7) / T(3))), pow(p + x, R(T(-1) / T(5)))};
+      {"constant",
+       [](const R&, const R&, const R&, const R&, const R&) {
+         return Rates{R(T(3)), R(T(-2))};
        }},
+      {"parameter",
+       [](const R&, const R&, const R& p, const R& q, const R&) {
+         return Rates{p, q};
+       }},
+      {"state",
+       [](const R& x, const R& y, const R&, const R&, const R&) {
+         return Rates{y, x};
+       }},
+      {"time",
+       [](const R& x, const R&, const R& p, const R&, const R& t) {
+         return Rates{t * p, t * x};
+       }},
+      {"linear",
+       [](const R& x, const R& y, const R& p, const R&, const R&) {
+         return Rates{R(T(2)) * x - y, R(T(1)) - p - y};
+       }},
+      {"product", [](const R& x, const R& y, const R& p, const R& q, const R&) { return Rates{x * y, p * q * y * y}; }},
+      {"quotient",
+       [](const R& x, const R& y, const R& p, const R& q, const R&) { return Rates{x / y, (p * y + q) / (x * x)}; }},
+      {"square root", [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{sqrt(y), sqrt(p + x * y)}; }},
+      {"power", [](const R& x, const R& y, const R& p, const R&,
+                   const R&) { return Rates{pow(y, R(T(7) / T(3))), pow(p + x, R(T(-1) / T(5)))}; }},
       {"sine", [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{sin(y), sin(p * x)}; }},
-      {"cosine", [](const R& x, const R& y, const R&, const R& q, const R&) { return Rates{cos(y), cos(q * x * x)}; }}};
+      {"cosine", [](const R& x, const R& y, const R&, const R& q, const R&) {
+         return Rates{cos(y), cos(q * x * x)};
+       }}};
   for (const auto& [name, formula] : kinds) {
     SCOPED_TRACE(name);
     expect_tangents(formula);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drift/jet.hpp"                         // must come first: the model's formulas call the jets' functions
+#include "drift/jet.hpp"                        // must come first: the model's formulas call the jets' functions
 #include "integrate/taylor/recorded_model.hpp"  // and those of the recording scalar
 //
 #include <vector>
@@ -58,7 +58,8 @@ taylor::Operations<double> record(const Make& make, const BesideJets& beside, st
 
 }  // namespace
 
-taylor::Operations<double> record_tangents(const Model<Jet>& model, const BesideJets& beside, std::span<const double> x, double t) {
+taylor::Operations<double> record_tangents(const Model<Jet>& model, const BesideJets& beside, std::span<const double> x,
+                                           double t) {
   Model<R> made;
   const auto make = [&](const ToParameter& to) {
     convert(model, made, to);

@@ -21,7 +21,8 @@ struct BesideJets {
 
 /// The equations of any body in body axes (drift_system.hpp).
 /// @param x  the state and its derivatives by each input at which they are recorded   @param t  its time
-taylor::Operations<double> record_tangents(const Model<Jet>& model, const BesideJets& beside, std::span<const double> x, double t);
+taylor::Operations<double> record_tangents(const Model<Jet>& model, const BesideJets& beside, std::span<const double> x,
+                                           double t);
 /// The equations of a symmetric top without its spin, in the laboratory (driven_reduced_equations.hpp).
 taylor::Operations<double> record_tangents(const DrivenReducedEquations<Jet, Observer::laboratory>& equations,
                                            const BesideJets& beside, std::span<const double> x, double t);
