@@ -12,20 +12,23 @@ namespace earthtop::taylor {
 
 /// The kinds of operations. Those from `product` on sum over products of coefficients of lower orders.
 enum class Kind : unsigned char {
-  constant,   ///< a number
-  parameter,  ///< a number by which the right-hand side may be differentiated
-  state,      ///< component of the state
-  time,       ///< the time t
-  given,      ///< component of a given function of time
-  held,       ///< a result that is constant along the exact motion: over a step its series is its value at the beginning
-  linear,     ///< a sum of numbers times results, plus a number
+  constant,  ///< a number
+  state,     ///< component of the state
+  time,      ///< the time t
+  given,     ///< component of a given function of time
+  held,      ///< a result that is constant along the exact motion: over a step its series is its value at the beginning
+  linear,    ///< a sum of numbers times results, plus a number
   product,
   quotient,
   square_root,
   power,  ///< to an exponent that is a number
   sine,   ///< the operation that follows is the cosine of the same argument
-  cosine
+  cosine,
+  parameter  ///< a number by which the right-hand side may be differentiated
 };
+
+/// Whether an operation has another result for its first operand.
+constexpr bool has_operand(Kind kind) { return kind >= Kind::held && kind <= Kind::cosine; }
 
 /// Whether a result is a number that stands in the list.
 constexpr bool is_number(Kind kind) { return kind == Kind::constant || kind == Kind::parameter; }

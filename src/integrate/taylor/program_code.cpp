@@ -208,7 +208,7 @@ class Builder : ProgramSums<T> {
   Instruction instruction(int i) const {
     const Operation<T>& o = list_[index(i)];
     Instruction made{.kind = o.kind, .out = places_[index(i)], .a = o.a, .b = o.b, .number = o.number};
-    if (uses_a(o.kind)) made.a = places_[index(o.a)];
+    if (has_operand(o.kind)) made.a = places_[index(o.a)];
     if (uses_b(o.kind) && o.b >= 0) made.b = places_[index(o.b)];
     if (index(i) < lanes_.size()) made.lane = lanes_[index(i)];
     return made;

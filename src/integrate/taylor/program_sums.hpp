@@ -15,7 +15,6 @@ namespace earthtop::taylor {
 inline bool uses_b(Kind kind) {
   return kind == Kind::product || kind == Kind::quotient || kind == Kind::cosine || kind == Kind::linear;
 }
-inline bool uses_a(Kind kind) { return kind >= Kind::held; }
 
 /// Results are named by their places in the list of operations.
 template <class T>
@@ -43,7 +42,7 @@ class ProgramSums {
   static std::size_t index(int place) { return static_cast<std::size_t>(place); }
   template <class Use>
   void for_operands(const Operation<T>& o, Use use) const {
-    if (uses_a(o.kind)) use(o.a);
+    if (has_operand(o.kind)) use(o.a);
     if (uses_b(o.kind) && o.b >= 0) use(o.b);
   }
   bool is_late(int i) const { return late_[index(i)] && !still_[index(i)]; }
@@ -77,7 +76,7 @@ class ProgramSums {
   /// Finds results that have no order but 0, apart from functions of state and time.
   void find_still() {
     for (const Operation<T>& o : list_) {
-      bool all = is_number(o.kind) || uses_a(o.kind);
+      bool all = is_number(o.kind) || has_operand(o.kind);
       if (o.kind != Kind::held) for_operands(o, [&](int operand) { all = all && still_[index(operand)]; });
       still_.push_back(all);
     }

@@ -92,7 +92,7 @@ class Recording {
       mark ^= mark >> 32U;
     };
     for (const T number : {o.number, o.factor_a, o.factor_b}) mix(bits(number).first), mix(bits(number).second);
-    const bool has_operands = o.kind >= Kind::held;
+    const bool has_operands = has_operand(o.kind);
     const bool is_numbered = o.kind == Kind::state || o.kind == Kind::parameter;
     mix(has_operands && o.a >= 0 ? this->mark(o.a) : is_numbered ? static_cast<std::uint64_t>(o.a) : 0U);
     mix(has_operands && o.b >= 0 ? this->mark(o.b) : 0U);

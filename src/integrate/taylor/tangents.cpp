@@ -65,9 +65,8 @@ class Tangents {
       for (std::size_t k = 0; k < directions_; ++k) made.tangents[k] = tangent(k);
     };
     const Result none{{}, std::vector<R>(directions_)};
-    const bool has_operands = o.kind >= Kind::held;
-    const Result& a = has_operands ? at(o.a) : none;
-    const Result& b = has_operands && o.b >= 0 && o.kind != Kind::cosine ? at(o.b) : none;
+    const Result& a = has_operand(o.kind) ? at(o.a) : none;
+    const Result& b = has_operand(o.kind) && o.b >= 0 && o.kind != Kind::cosine ? at(o.b) : none;
     switch (o.kind) {
       case Kind::constant: made.value = o.number; break;
       case Kind::parameter:
