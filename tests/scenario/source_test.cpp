@@ -136,7 +136,7 @@ TEST(OutputTimes, AreProductsAndEndAtTheDuration) {
     double duration_s, step_s;
     const char* says;
   };
-  for (const auto& [duration, step, says] : {Refused{2'000'000, 1, "about 2e+06 output rows; at most 2000000 are allowed"},
+  for (const auto& [duration, step, says] : {Refused{2'000'000, 1, "about 2000001 output rows; at most 2000000 are allowed"},
                                              {1, 0, "0 is not a time step; must be above 0 (s)"},
                                              {0, 1, "0 is not a duration; must be above 0 (s)"},
                                              {-1, 1, "-1 is not a duration; must be above 0 (s)"},
