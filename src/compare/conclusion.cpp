@@ -42,7 +42,8 @@ std::string share_words(const QuantityVerdict& quantity) {
     return (quantity.passed ? "within " : "not within ") + quantity.origin.substr(0, quantity.origin.find(" ("));
   const auto told_share = [](double share) -> std::string {
     if (std::isinf(share)) return "where nothing is allowed";
-    return share < 1 ? fmt::format("{:.2g} of its tolerance", share) : fmt::format("{:.3g} times its tolerance", share);
+    return share < 1 ? fmt::format("{} of its tolerance", told_apart(share, 1, 2).first)
+                     : fmt::format("{} times its tolerance", told_apart(share, 1, 3).first);
   };
   const double here = quantity.tolerance > 0 ? quantity.largest / quantity.tolerance : std::numeric_limits<double>::infinity();
   const bool is_elsewhere = quantity.share > here * (1 + kRounding);

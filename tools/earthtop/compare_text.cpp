@@ -4,10 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/error.hpp"
 #include "screen.hpp"
+#include "text/number_words.hpp"
 #include "wrapped.hpp"
 
 namespace earthtop::tool {
@@ -43,9 +45,11 @@ std::string quantity_line(const QuantityVerdict& quantity, std::size_t width) {
   const char* verdict = quantity.passed ? "ok" : "FAILED";
   const std::string name = shown(quantity.name, kWidestName);
   if (!quantity.reason.empty()) return fmt::format("  {:6}  {:<{}}  {}\n", verdict, name, width, shown(quantity.reason));
-  std::string line = fmt::format("  {:6}  {:<{}}  {:>9.3g}  {:>9.3g}  {:>7}  {:<18}  {}", verdict, name, width,
-                                 quantity.largest, quantity.tolerance, fmt::format("{:.2g}", quantity.share),
-                                 change_words(quantity.change), short_origin(quantity.origin));
+  const auto [largest, tolerance] = told_apart(quantity.largest, quantity.tolerance, 3);
+  // Of a tolerance of 0 there is no share.
+  const std::string share = std::isfinite(quantity.share) ? told_apart(quantity.share, 1, 2).first : "-";
+  std::string line = fmt::format("  {:6}  {:<{}}  {:>9}  {:>9}  {:>7}  {:<18}  {}", verdict, name, width, largest, tolerance,
+                                 share, change_words(quantity.change), short_origin(quantity.origin));
   if (!quantity.where.empty() && quantity.largest > 0) line += "; largest at " + quantity.where;
   if (!quantity.first_violation.empty())
     line += fmt::format("; beyond it {} times, first at {}", quantity.violations, quantity.first_violation);
@@ -77,7 +81,8 @@ std::string pair_text(const PairReport& pair, bool everything, std::size_t scree
     for (const CostRatio& ratio : pair.cost) {
       std::string line = fmt::format("{}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED",
                                      ratio.name, ratio.candidate, ratio.reference);
-      if (ratio.reference > 0) line += fmt::format(", {:.3g} times", ratio.candidate / ratio.reference);
+      if (const auto times = share_of(ratio.candidate, ratio.reference))
+        line += fmt::format(", {} times", told_apart(*times, ratio.limit.value_or(*times), 3).first);
       if (ratio.limit) line += fmt::format("; limit {} times", *ratio.limit);
       text += indented(line, screen_width);
     }

@@ -527,7 +527,7 @@ OF_ROWS = [
 
 # A bound ten times as large as the reference's is of one size with it; a larger one is not.
 OF_ORIGINS = [
-    *told("FAILED drift_axis_bound_rad 1.01e-08 1e-08 inf a factor of 10; largest at t = 1 s", both(bounded(), columns=BOUNDED,
+    *told("FAILED drift_axis_bound_rad 1.01e-08 1e-08 - a factor of 10; largest at t = 1 s", both(bounded(), columns=BOUNDED,
                                                                                                     rows=[
         [0, 0, 1e-9], [1, 1e-6, 1.11e-8], [2, 1e-5, 1e-9]]), 1, both(bounded(), columns=BOUNDED, rows=[
             [0, 0, 1e-9], [1, 1e-6, 0.99e-8], [2, 1e-5, 1e-9]])),
