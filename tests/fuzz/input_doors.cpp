@@ -150,7 +150,6 @@ void enter_mapping(std::string_view input) {
   const std::string file = Scratch::write("mapping.json", input);
   accepts_text(input, [&] {
     const compare::Mapping mapping = compare::read_mapping(file);
-    demand(!mapping.time_column.empty(), "there is a column of times", input);
     demand(mapping.quaternion || mapping.rates || mapping.axis, "there is something to compare", input);
     demand(mapping.time_unit_s > 0 && mapping.rate_unit_rad_s > 0 && std::isfinite(mapping.time_offset_s), "units", input);
     demand(!mapping.attitude_error_rad || *mapping.attitude_error_rad >= 0, "an error is not negative", input);
