@@ -52,7 +52,8 @@ std::optional<std::size_t> CellScale::cell(const study::Value& value) const {
   if (few_values_) return values_.at(*number);
   const auto scaled = [&](double x) { return log_ ? real::log(x) : x; };
   const double share = (scaled(*number) - scaled(low_)) / (scaled(high_) - scaled(low_));
-  return std::min(cells_ - 1, static_cast<std::size_t>(share * static_cast<double>(cells_)));
+  const double place = std::min(share * static_cast<double>(cells_), static_cast<double>(cells_ - 1));
+  return place > 0 ? static_cast<std::size_t>(place) : 0;  // none of a span that is no number, beyond 1.8e308
 }
 
 Json CellScale::json() const {

@@ -59,7 +59,9 @@ std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value)
   }
   const double from = axis_.range->from.front(), to = axis_.range->to.front(), x = number_of(value).value_or(from);
   const double part = axis_.range->logarithmic ? real::log(x / from) / real::log(to / from) : (x - from) / (to - from);
-  const int bin = std::clamp(static_cast<int>(part * kBins), 0, kBins - 1);
+  // A value that the design cannot have drawn belongs to the interval at its end of the range, and to the first if it has no place.
+  const double place = std::min<double>(part * kBins, kBins - 1);
+  const int bin = place > 0 ? static_cast<int>(place) : 0;
   const auto edge = [&](int i) {
     const double share = static_cast<double>(i) / kBins;
     return axis_.range->logarithmic ? from * real::pow(to / from, share) : from + (to - from) * share;
