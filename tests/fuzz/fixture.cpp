@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include "earthtop/bench/bench.hpp"
 #include "earthtop/bench/comparison.hpp"
@@ -129,6 +130,15 @@ ResultFiles result_files_in(std::string_view input) {
   auto parts = parts_of(input);
   parts.resize(4);
   return {parts[0], parts[1], parts[2], parts[3]};
+}
+
+void put(const ResultFiles& files, const fs::path& directory) {
+  fs::create_directories(directory);
+  const auto write = [&](const char* name, const std::string& text) {
+    if (!text.empty()) std::ofstream(directory / name, std::ios::binary) << text;
+  };
+  write("summary.json", files.summary), write("trajectory.csv", files.trajectory);
+  write("torques.csv", files.torques), write("timing.json", files.timing);
 }
 
 ResultFiles with_checksums(ResultFiles files) {

@@ -19,6 +19,8 @@ struct ResultFiles {
 /// As the parts of an input; parts that are missing are empty.
 std::string input_of(const ResultFiles& files);
 ResultFiles result_files_in(std::string_view input);
+/// Writes them, but none that is empty.
+void put(const ResultFiles& files, const std::filesystem::path& directory);
 /// The same with the checksums that documents would have been written with.
 ResultFiles with_checksums(ResultFiles files);
 /// The results, without their checksums, of runs whose pages differ in what they show.

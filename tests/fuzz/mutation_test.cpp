@@ -47,10 +47,7 @@ TEST(Mutations, OfResultsAreReadWithAndWithoutChecksums) {
     return [seal](const std::string& input) {
       const ResultFiles files = result_files_in(input);
       const auto directory = Scratch::empty();
-      Scratch::write("summary.json", files.summary);
-      Scratch::write("trajectory.csv", files.trajectory);
-      if (!files.torques.empty()) Scratch::write("torques.csv", files.torques);
-      if (!files.timing.empty()) Scratch::write("timing.json", files.timing);
+      put(files, directory);
       return seal_of(files.summary) == seal && accepts([&] { read_result_texts(directory); });
     };
   };
