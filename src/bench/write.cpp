@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the files of a benchmark.
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 
 #include "earthtop/bench/comparison.hpp"
 #include "results/file_set.hpp"
+#include "results/output_files.hpp"
 
 namespace earthtop {
 namespace {
@@ -30,15 +28,12 @@ std::vector<std::string> file_names(std::span<const std::string> scenarios) {
 
 void check_bench_directory(const fs::path& dir, std::span<const std::string> scenarios, bool force) {
   if (dir.empty()) refuse("--out", "the directory's name is empty; give a name");
+  require_place_for_directory(dir, "choose another --out");
   std::error_code error;
-  fs::path present = fs::absolute(dir, error).lexically_normal();
-  while (!fs::exists(fs::symlink_status(present, error)) && present.has_relative_path()) present = present.parent_path();
-  if (!fs::is_directory(present, error)) refuse(present, "is not a directory; choose another --out");
-  if (::access(present.c_str(), W_OK | X_OK) != 0) throw WriteError(present.string(), std::strerror(errno));
   for (const std::string& name : file_names(scenarios)) {
-    const fs::file_status status = fs::symlink_status(dir / name, error);
-    if (fs::is_directory(status)) refuse(dir / name, "is a directory; choose another --out");
-    if (!force && fs::exists(status)) refuse(dir / name, "already exists; choose another --out, or --force to overwrite it");
+    if (!is_something_at(dir / name)) continue;
+    if (fs::is_directory(fs::symlink_status(dir / name, error))) refuse(dir / name, "is a directory; choose another --out");
+    if (!force) refuse(dir / name, "already exists; choose another --out, or --force to overwrite it");
   }
 }
 

@@ -27,9 +27,7 @@ using study::Value;
 constexpr double kWithoutBounds = 1e-9;  // tolerance where no bounds were collected: part of a quantity's largest size
 
 Store open_store(const std::filesystem::path& path) {
-  const bool is_directory = input::type_of(path.string()) == input::PathType::directory;
-  const std::filesystem::path file = is_directory ? study_store(path) : path;
-  Store store = Store::open(file, study::sqlite::Connection::Mode::read);
+  Store store = Store::open(store_at(path), study::sqlite::Connection::Mode::read);
   store.check_intact();
   return store;
 }

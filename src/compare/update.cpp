@@ -143,7 +143,7 @@ void require_at_rest(const fs::path& directory) {
     if (is_there(store.string() + log))
       refuse_path(directory, fmt::format("{}{} in it says that its store is in use; wait until that has ended",
                                          store.filename().string(), log));
-  const int lock = ::open((store.string() + ".lock").c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+  const int lock = ::open((store.string() + ".lock").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (lock < 0) {
     if (errno == ENOENT || errno == ENOTDIR || errno == EACCES) return;
     throw ReadError(store.string() + ".lock", std::strerror(errno));

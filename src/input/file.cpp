@@ -35,6 +35,11 @@ void require_regular(const struct stat& status, const std::string& name, const F
   refuse_file(name, fmt::format("has more than {0} MiB, the most a {1} may have; is it a {1}?", use.most_MiB, use.noun));
 }
 
+/// Refuses a file like /proc/kmsg, which calls itself regular.
+[[noreturn]] void refuse_waiting(const std::string& name) {
+  refuse_file(name, "has nothing to read yet, and waits for more: it is no file on a disk; give a file");
+}
+
 /// @throws always, according to the errno value `error`: what the caller can correct is refused, the rest is the disk's fault
 [[noreturn]] void fail_to_look(const std::string& path, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
@@ -50,6 +55,7 @@ std::string read_all(int descriptor, const std::string& name, const FileUse& use
     const ssize_t got = ::read(descriptor, chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && errno == EISDIR) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));
+    if (got < 0 && errno == EAGAIN && descriptor != STDIN_FILENO) refuse_waiting(name);
     if (got < 0 && errno == EBADF) refuse_file(name, "is closed; give a file, or redirect standard input");
     if (got < 0) throw ReadError(name, fmt::format("reading failed ({}); check the file", std::strerror(errno)));
     if (got == 0) return text;
@@ -98,6 +104,8 @@ Descriptor open_regular_file(const std::string& path, const std::string& name, c
     if (errno == ENOENT)
       refuse_file(name, fmt::format("there is no such file; check the path{}",
                                     use.or_standard_input ? ", or give '-' for standard input" : ""));
+    for (const int fault : {EIO, ESTALE, ENFILE, EMFILE})
+      if (errno == fault) throw ReadError(name, fmt::format("cannot be opened ({}); check the disk", std::strerror(errno)));
     refuse_file(name, fmt::format("cannot be opened ({}); check path and permissions", std::strerror(errno)));
   }
   if (::fstat(file.get(), &status) != 0)
@@ -110,6 +118,7 @@ std::size_t read_some(const Descriptor& file, const std::string& name, char* byt
   for (;;) {
     const ssize_t got = ::read(file.get(), bytes, size);
     if (got >= 0) return static_cast<std::size_t>(got);
+    if (errno == EAGAIN) refuse_waiting(name);
     if (errno != EINTR) throw ReadError(name, fmt::format("reading failed ({}); check the file", std::strerror(errno)));
   }
 }

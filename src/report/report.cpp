@@ -25,9 +25,10 @@ constexpr const char* kStandardInput = "-";
 
 /// Whether a file, or standard input, holds a document and not a store: its name, or its first character, tells.
 bool is_document(const std::filesystem::path& what) {
-  std::error_code error;
-  if (what == kStandardInput || what.extension() == ".json") return !std::filesystem::is_directory(what, error);
-  if (!std::filesystem::is_regular_file(what, error)) return false;
+  if (what == kStandardInput) return true;
+  const input::PathType type = input::type_of(what.string());
+  if (what.extension() == ".json") return type != input::PathType::directory;
+  if (type != input::PathType::file) return false;
   const input::Descriptor file = input::open_regular_file(what.string(), what.string(), {"document", false});
   std::string head(std::size_t{1} << 10, '\0');
   head.resize(input::read_some(file, what.string(), head.data(), head.size()));
@@ -66,13 +67,11 @@ Report document_page(const std::filesystem::path& file) {
 
 Report make_report(const std::filesystem::path& what, const Watch& watch) try {
   using compare::ComparandKind;
-  std::error_code error;
   if (report::is_document(what)) return report::document_page(what);
   compare::finish_update(what);
   switch (compare::kind_of(what)) {
     case ComparandKind::results: return report::run_page(what, watch);
-    case ComparandKind::store:
-      return report::study_page(std::filesystem::is_directory(what, error) ? study_store(what) : what, watch);
+    case ComparandKind::store: return report::study_page(store_at(what), watch);
     default:
       compare::refuse_path(
           what, "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
@@ -82,9 +81,8 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
 }
 
 std::filesystem::path report_file(const std::filesystem::path& what) {
-  std::error_code error;
-  if (std::filesystem::is_directory(what, error)) return what / "report.html";
   if (what == report::kStandardInput) return "report.html";
+  if (input::type_of(what.string()) == input::PathType::directory) return what / "report.html";
   std::filesystem::path file = what;
   return file.replace_extension(".html");
 }

@@ -115,6 +115,10 @@ void fail_to_write(const fs::path& file, int error) {
   throw WriteError(file.string(), std::strerror(error));
 }
 
+void write_whole(int descriptor, const fs::path& place, std::string_view text) {
+  if (const int error = write_all(descriptor, text, [] {}); error != 0) fail_to_write(place, error);
+}
+
 void write_durably(const fs::path& file, const fs::path& place, const std::function<void(const FileSet::Sink&)>& produce,
                    const Watch& watch) {
   const auto stop_if_asked = [&] {
@@ -267,9 +271,9 @@ void FileSet::sync() const {
   if (lock_->descriptor() >= 0 && ::fsync(lock_->descriptor()) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
 }
 
-void FileSet::replace() {
+void FileSet::replace(bool must_go_back) {
   File& seal = *files_.back();
-  if (files_.size() == 1) {  // it needs no seal: the system puts one version in the place of the other
+  if (files_.size() == 1 && !must_go_back) {  // it needs no seal: the system puts one version in the place of the other
     seal.put_in_place();
     seal.is_in_place = false;  // the old version is gone: there is nothing to be put back
     return sync();
@@ -291,14 +295,30 @@ void FileSet::put_back() noexcept {
 }
 
 void FileSet::commit() {
-  stop_if_asked();
+  FileSet* const alone = this;
+  commit_as_one({&alone, 1});
+}
+
+void FileSet::commit(std::span<const std::unique_ptr<FileSet>> sets) {
+  std::vector<FileSet*> all;
+  for (const auto& set : sets) all.push_back(set.get());
+  commit_as_one(all);
+}
+
+void FileSet::commit_as_one(std::span<FileSet* const> sets) {
+  for (const FileSet* set : sets) set->stop_if_asked();
   const CommitMoment moment;
   try {
-    replace();
+    for (FileSet* set : sets) set->replace(sets.size() > 1);
   } catch (...) {
-    put_back();
+    for (FileSet* set : sets) set->put_back();
     throw;
   }
+  for (FileSet* set : sets) set->settle();
+}
+
+/// Removes the old files, which are not needed any more.
+void FileSet::settle() {
   committed_ = true;
   for (const auto& file : files_) {
     if (file->is_set_aside) ::unlink(file->last.c_str());

@@ -87,19 +87,24 @@ class FileSet {
   /// Puts the added files in place, and removes files of the set that were not added. @throws WriteError; then everything is as
   /// it was before.
   void commit();
+  /// The same for several sets, each in a directory of its own, as if they were one.
+  static void commit(std::span<const std::unique_ptr<FileSet>> sets);
 
   /// Temporary files for `name` in `dir` that a killed run left or a running one uses.
   static std::vector<std::filesystem::path> temporaries(const std::filesystem::path& dir, std::string_view name);
 
  private:
   struct File;
+  static void commit_as_one(std::span<FileSet* const> sets);
   File& file(std::string_view name);
   void make_directory();
   void lock(std::chrono::seconds patience);
   void remove_left(std::string_view name) const;
   void sync() const;
-  void replace();
+  /// @param must_go_back  whether the old files are still needed, since another set may fail
+  void replace(bool must_go_back);
   void put_back() noexcept;
+  void settle();
 
   void stop_if_asked() const;
 
@@ -111,6 +116,9 @@ class FileSet {
   std::optional<DirectoryLock> lock_;
   bool committed_ = false;
 };
+
+/// Writes all of a text. @param place  what errors call the file   @throws WriteError
+void write_whole(int descriptor, const std::filesystem::path& place, std::string_view text);
 
 /// Writes a new file and waits until the disk has it.
 /// @param file  must not be there yet   @param place  what errors call it

@@ -112,6 +112,13 @@ FileChecksums checksums_in(std::string_view summary, const std::filesystem::path
   return checksums;
 }
 
+bool is_as_stated(const std::filesystem::path& directory, std::string_view name, std::string_view document) {
+  if (seal_of(document) == Seal::absent) return true;
+  for (const auto& [stated, checksum] : checksums_in(document, directory))
+    if (stated == name) return checksum == checksum_of_file(directory / name);
+  return false;
+}
+
 bool check_result_files(const std::filesystem::path& directory, std::string_view summary) {
   const Seal seal = seal_of(summary);
   if (seal == Seal::absent) return false;

@@ -46,6 +46,9 @@ FileChecksums checksums_in(std::string_view summary, const std::filesystem::path
 /// @throws ScenarioError always: the file is not what was written
 [[noreturn]] void refuse_damaged(const std::filesystem::path& file);
 
+/// Whether a file is what a document with its checksum states. @returns also true for a document without checksums, which is old
+bool is_as_stated(const std::filesystem::path& directory, std::string_view name, std::string_view document);
+
 /// Holds the files of a results directory against the checksums that its summary states.
 /// @param summary  the text of summary.json
 /// @returns whether there are checksums   @throws ScenarioError that names the damaged file; ReadError

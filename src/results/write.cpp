@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +19,7 @@
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
 #include "results/number_ranges.hpp"
+#include "results/output_files.hpp"
 #include "results/seal.hpp"
 #include "text/checksum.hpp"
 
@@ -50,14 +50,6 @@ std::string scenario_of(const fs::path& summary) {
   }
 }
 
-/// Whether something is at the path, a dangling link included. @throws WriteError where that cannot be known
-bool is_there(const fs::path& path) {
-  struct stat status = {};
-  if (::lstat(path.c_str(), &status) == 0) return true;
-  if (errno != ENOENT && errno != ENOTDIR) fail_to_write(path, errno);
-  return false;
-}
-
 /// Refuses an existing directory whose files must not be overwritten. @throws ScenarioError
 void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   for (const std::string_view name : kFiles)
@@ -65,13 +57,13 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
       refuse(dir, std::string(name) + " in it is a directory; choose another --out");
   if (force) return;
   const fs::path summary = dir / kSummary;
-  if (is_there(summary)) {
+  if (is_something_at(summary)) {
     const std::string present = scenario_of(summary);
     if (present.empty())
       refuse(dir, "its summary.json was not written by earthtop; choose another --out, or --force to overwrite it");
     if (present != scene.sha256())
       refuse(dir, "holds the results of another scenario; choose another --out, or --force to overwrite them");
-    if (!scene.scenario().ledger && is_there(dir / kTorqueTable))
+    if (!scene.scenario().ledger && is_something_at(dir / kTorqueTable))
       refuse(dir, "its torques.csv does not belong to this scenario's results; choose another --out, or --force to remove it");
     return;
   }
@@ -80,7 +72,7 @@ void check_present_files(const fs::path& dir, const Scene& scene, bool force) {
   const std::string& ours = scene.sha256();
   if (std::any_of(left.begin(), left.end(), [&](const fs::path& path) { return scenario_of(path) == ours; })) return;
   for (const std::string_view name : kFiles)
-    if (is_there(dir / name))
+    if (is_something_at(dir / name))
       refuse(dir, std::string(name) + " is in it without a summary.json; choose another --out, or --force to overwrite it");
 }
 
@@ -191,17 +183,8 @@ void check_formats(const fs::path& dir, const ResultTexts& texts) {
 
 void check_output_directory(const fs::path& dir, const Scene& scene, bool force) {
   if (dir.empty()) refuse("--out", "the directory's name is empty; give a name");
-  std::error_code error;
-  fs::path present = fs::absolute(dir, error).lexically_normal();
-  if (error) fail_to_write(dir, error.value());
-  while (!is_there(present) && present.has_relative_path()) present = present.parent_path();
-  if (!fs::is_directory(present, error)) {
-    const bool link = fs::is_symlink(fs::symlink_status(present, error));
-    refuse(present, link ? "is a link that does not lead to a directory; repair it, or choose another --out"
-                         : "is not a directory; choose another --out");
-  }
-  if (::access(present.c_str(), W_OK | X_OK) != 0) fail_to_write(present, errno);
-  if (fs::is_directory(dir, error)) check_present_files(dir, scene, force);
+  require_place_for_directory(dir, "choose another --out");
+  if (is_something_at(dir)) check_present_files(dir, scene, force);
 }
 
 void write_file(const fs::path& file, const std::function<std::string()>& content) {
@@ -250,7 +233,7 @@ ResultTexts read_result_texts(const fs::path& dir, std::vector<std::string>* not
   ResultTexts texts;
   for (const std::string_view name : kFiles) {
     const std::string file = dir / name;
-    if (!is_there(file)) continue;
+    if (!is_something_at(file)) continue;
     texts.emplace(name, input::read_regular_file(file, file, {"result file", false, kLargestText_MiB}));
   }
   for (const std::string_view name : {kSummary, kRowTable})

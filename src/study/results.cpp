@@ -11,7 +11,9 @@
 
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "input/file.hpp"
 #include "results/file_set.hpp"
+#include "results/output_files.hpp"
 #include "results/seal.hpp"
 #include "study/figure.hpp"
 #include "study/gathering.hpp"
@@ -25,6 +27,11 @@
 namespace earthtop {
 namespace study {
 namespace {
+
+constexpr std::string_view kTableFile = "study.csv", kPictureFile = "study.svg", kDocumentFile = "study.json";
+constexpr const char* kResultsSchema = "earthtop-study-results-1.json";
+constexpr std::array<std::string_view, 3> kResultFiles = {kTableFile, kPictureFile,
+                                                          kDocumentFile};  // the last one has the checksums of the others
 
 constexpr std::size_t kMostListedValues = 500;  // largest list of values of an axis that is written out
 
@@ -166,7 +173,7 @@ Json document_of(Store& store, const Watch& watch) {
     if (status != "completed") failed += count;
   }
   Json document = {
-      {"$schema", "earthtop-study-results-1.json"},
+      {"$schema", kResultsSchema},
       {"name", study.name},
       {"title", study.title},
       {"purpose", study.purpose},
@@ -211,6 +218,55 @@ void write_table(Store& store, const FileSet::Sink& sink, const Watch& watch) {
   sink(text);
 }
 
+[[noreturn]] void refuse_present(const std::filesystem::path& file, std::string_view reason) {
+  throw ScenarioError(
+      std::vector<Diagnostic>{
+          {0, 0, "", fmt::format("already exists, and {}; choose another --out, or --force to overwrite it", reason)}},
+      file.string());
+}
+
+/// The text of a document of a study's results; empty where the file is none, or cannot be opened.
+std::string document_in(const std::filesystem::path& file) {
+  try {
+    constexpr std::size_t kMost_MiB = 1024;
+    const std::string text = input::read_regular_file(file.string(), file.string(), {"document", false, kMost_MiB});
+    const Json json = Json::parse(text, nullptr, false);
+    return json.is_object() && json.value("$schema", Json()) == kResultsSchema ? text : "";
+  } catch (const ScenarioError&) {
+    return "";
+  }
+}
+
+/// Whether a document has results of another study, of which a point was completed.
+bool is_of_another(const std::string& document, const std::string& sha256) {
+  const Json json = Json::parse(document);
+  const Json::json_pointer identity("/provenance/study_sha256");
+  return json.contains(identity) && json.at(identity) != sha256 &&
+         json.value("points_computed", Json()) != json.value("points_failed", Json());
+}
+
+/// Refuses files of results that are not this study's as they were written. @throws ScenarioError; ReadError, WriteError
+void require_own_results(const std::filesystem::path& dir, const std::string& sha256, bool force) {
+  constexpr const char* kNotAsWritten = "is not as earthtop study wrote it";
+  std::error_code error;
+  for (const std::string_view name : kResultFiles)
+    if (std::filesystem::is_directory(std::filesystem::symlink_status(dir / name, error)))
+      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "is a directory; choose another --out"}}, (dir / name).string());
+  if (force) return;
+  std::string document;
+  if (is_something_at(dir / kDocumentFile)) {
+    document = document_in(dir / kDocumentFile);
+    if (document.empty() || seal_of(document) == Seal::broken) refuse_present(dir / kDocumentFile, kNotAsWritten);
+    if (is_of_another(document, sha256)) refuse_present(dir / kDocumentFile, "has the results of another study");
+  } else {  // a study that was killed while it put its files in place left it under a temporary name
+    for (const std::filesystem::path& left : FileSet::temporaries(dir, kDocumentFile))
+      if (!document_in(left).empty()) return;
+  }
+  for (const std::string_view name : {kTableFile, kPictureFile})
+    if (is_something_at(dir / name) && (document.empty() || !is_as_stated(dir, name, document)))
+      refuse_present(dir / name, kNotAsWritten);
+}
+
 /// The results of a study as the contents of its files.
 struct Files {
   std::optional<std::string> picture;
@@ -226,12 +282,12 @@ Files files_of(Store& store, const FileSet::Sink& table_sink, const Watch& watch
         table_sink(piece);
       },
       watch);
-  FileChecksums checksums = {{"study.csv", checksum_text(table.value())}};
+  FileChecksums checksums = {{std::string(kTableFile), checksum_text(table.value())}};
   const Json document = document_of(store, watch);
   Files files;
   if (const auto figure = study_figure(store.study(), document)) {
     files.picture = svg(*figure);
-    checksums.emplace_back("study.svg", checksum_text(checksum_of(*files.picture)));
+    checksums.emplace_back(kPictureFile, checksum_text(checksum_of(*files.picture)));
   }
   files.document = sealed(json_with_escapes(written_replacing(document, 1)) + '\n', checksums);
   return files;
@@ -258,14 +314,18 @@ void study_csv(const std::filesystem::path& file, const std::function<void(std::
   study::write_table(store, sink, {});
 }
 
-void write_study_results(const std::filesystem::path& file, const Watch& watch) {
+void check_study_results(const std::filesystem::path& dir, const Study& study, bool force) {
+  study::require_own_results(dir, study_sha256(study), force);
+}
+
+void write_study_results(const std::filesystem::path& file, const Watch& watch, bool force) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
-  static constexpr std::array<std::string_view, 3> kNames = {"study.csv", "study.svg", "study.json"};
-  FileSet files(file.parent_path(), kNames, watch);
+  FileSet files(file.parent_path(), study::kResultFiles, watch);
+  study::require_own_results(file.parent_path(), store.sha256(), force);
   study::Files contents;
-  files.add("study.csv", [&](const FileSet::Sink& sink) { contents = study::files_of(store, sink, watch); });
-  if (contents.picture) files.add("study.svg", *contents.picture);
-  files.add("study.json", contents.document);
+  files.add(study::kTableFile, [&](const FileSet::Sink& sink) { contents = study::files_of(store, sink, watch); });
+  if (contents.picture) files.add(study::kPictureFile, *contents.picture);
+  files.add(study::kDocumentFile, contents.document);
   files.commit();
 }
 

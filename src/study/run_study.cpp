@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "earthtop/run.hpp"
+#include "input/file.hpp"
 #include "results/file_set.hpp"
 #include "study/process_workforce.hpp"
 #include "study/store.hpp"
@@ -45,9 +46,16 @@ bool is_blank(const fs::path& file) {
     sqlite::Connection connection(file.string(), sqlite::Connection::Mode::read);
     sqlite::Statement tables(connection, "SELECT count(*) FROM sqlite_master");
     return tables.step() && tables.integer(0) == 0;
-  } catch (const FileError&) {
+  } catch (const sqlite::DamageError&) {
     return false;
   }
+}
+
+/// Whether a store is at the path. @throws ScenarioError where something else is; ReadError
+bool is_there(const fs::path& file) {
+  const input::PathType type = input::type_of(file.string());
+  if (type == input::PathType::nothing || type == input::PathType::file) return type == input::PathType::file;
+  refuse(file, "is not a file, or is a link that leads nowhere; remove it, or choose another --out");
 }
 
 /// @throws ScenarioError if the disk has no room for the study's results
@@ -65,24 +73,22 @@ void require_room(const fs::path& dir, double bytes) {
 bool may_hold_results(Store& store) {
   try {
     return store.ended_count() > 0;
-  } catch (const ReadError&) {
+  } catch (const sqlite::DamageError&) {
     return true;
   }
 }
 
 /// Whether the store holds a point of this study whose run was completed.
 bool is_under_way(const fs::path& file, const Study& study) {
-  std::error_code error;
-  if (!fs::exists(file, error) || is_blank(file)) return false;
+  if (!is_there(file) || is_blank(file)) return false;
   Store store = Store::open(file, sqlite::Connection::Mode::read);
   return store.sha256() == study_sha256(study) && may_hold_results(store);
 }
 
 /// @param replaced set if a store of another study was replaced because none of its runs had been completed
 Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
-  std::error_code error;
-  if (fs::exists(file, error) && is_blank(file)) remove_store(file);
-  if (!fs::exists(file, error)) return Store::create(file, study, options.shard);
+  if (is_there(file) && is_blank(file)) remove_store(file);
+  if (!is_there(file)) return Store::create(file, study, options.shard);
   const std::string sha256 = study_sha256(study);
   try {
     Store store = Store::open(file, sqlite::Connection::Mode::write);
@@ -110,7 +116,7 @@ void copy_intact(Store& damaged, Store& fresh, std::uint64_t first, std::uint64_
     Store::Points points = damaged.points(first, last);
     for (PointResult point; points.next(point);) found.push_back(point);
     for (const PointResult& point : found) fresh.insert(point);
-  } catch (const ReadError&) {
+  } catch (const sqlite::DamageError&) {
     if (first == last) return;
     const std::uint64_t middle = first + (last - first) / 2;
     copy_intact(damaged, fresh, first, middle);
@@ -131,7 +137,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
       const std::uint64_t count = point_count(study).value_or(0);
       for (std::uint64_t first = 0; first < count; first += kSpan)
         copy_intact(damaged, fresh, first, std::min(count, first + kSpan) - 1);
-    } catch (const FileError&) {  // it is not a database any more: nothing can be kept
+    } catch (const sqlite::DamageError&) {  // it is not a database any more: nothing can be kept
     }
     fresh.commit();
     fresh.finish();
@@ -144,8 +150,7 @@ void repair(const fs::path& file, const Study& study, const StudyShard& shard) {
 
 /// Says what is wrong with the store of a study; empty where nothing is, or where there is no store of this study.
 std::string damage_of(const fs::path& file, const Study& study) {
-  std::error_code error;
-  if (!fs::exists(file, error) || is_blank(file)) return "";
+  if (!is_there(file) || is_blank(file)) return "";
   try {
     Store store = Store::open(file, sqlite::Connection::Mode::read);
     if (store.sha256() != study_sha256(study)) return "";
@@ -265,6 +270,10 @@ std::filesystem::path study_store(const std::filesystem::path& dir, const StudyS
   return dir / (shard.is_whole() ? std::string("study.sqlite") : fmt::format("shard-{}-of-{}.sqlite", shard.k, shard.n));
 }
 
+std::filesystem::path store_at(const std::filesystem::path& given) {
+  return input::type_of(given.string()) == input::PathType::directory ? study_store(given) : given;
+}
+
 StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   using namespace earthtop::study;
   require_affordable(study);
@@ -315,6 +324,7 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
       refuse(part, fmt::format("holds points of another study than {}", stores.front().string()));
     store.check_intact();
   }
+  check_study_results(dir, first->study(), force);
   make_directory(dir);
   const StoreLock lock(target);
   StudyRunOptions options;

@@ -3,6 +3,7 @@
 
 #include <sys/stat.h>
 
+#include <array>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -10,11 +11,33 @@
 #include <string>
 
 #include "earthtop/error.hpp"
+#include "input/file.hpp"
 #include "study/store_lock.hpp"
 
 namespace earthtop::study::sqlite {
 
+namespace {
+
+/// Refuses what SQLite would wait for or write through: FIFOs, devices, links that lead nowhere. @throws ScenarioError, ReadError
+void require_plain_files(const std::string& database) {
+  for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+    const std::string file = database + suffix;
+    const input::PathType type = input::type_of(file);
+    if (type != input::PathType::nothing && type != input::PathType::file)
+      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "is not a file, or is a link that leads nowhere; remove it"}},
+                          file);
+  }
+  // A file like /proc/kmsg calls itself regular and empty. No other is opened: closing it would release SQLite's locks on it.
+  struct stat status = {};
+  if (::stat(database.c_str(), &status) != 0 || status.st_size > 0) return;
+  std::array<char, 1> first{};
+  input::read_some(input::open_regular_file(database, database, {"store"}), database, first.data(), first.size());
+}
+
+}  // namespace
+
 Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(mode) {
+  require_plain_files(file);
   sqlite3* opened = nullptr;
   const int flags = mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
   const int code = sqlite3_open_v2(file.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
@@ -87,9 +110,12 @@ void Connection::fail() const {
     if (!patient_) refuse_in_use(file_, holder_of(file_));
     reason = "is in use by " + holder_of(file_);
   }
-  const bool is_damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;  // no fault of the disk that is written to
-  if (mode_ == Mode::write && !is_damaged) throw WriteError(file_, reason);
-  throw ReadError(file_, reason);
+  // An error of a statement means that a table or a column is not there.
+  const bool is_damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR || code == SQLITE_TOOBIG ||
+                          extended == SQLITE_IOERR_SHORT_READ;
+  if (is_damaged) throw DamageError(file_, reason);
+  if (mode_ == Mode::write) throw WriteError(file_, reason);
+  throw ReadError(file_, reason + "; check the disk");
 }
 
 void Connection::execute(const char* sql) {

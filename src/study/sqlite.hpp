@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "earthtop/error.hpp"
 #include "study/value.hpp"
 
 namespace earthtop::study::sqlite {
@@ -47,10 +48,16 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
+/// A file is no database, or its content is not in order: its fault, and not that of the disk.
+class DamageError : public ReadError {
+  using ReadError::ReadError;
+};
+
 class Connection {
  public:
   enum class Mode { read, write };
-  /// @throws WriteError or ReadError, according to the mode, if the file cannot be opened; ScenarioError if it is locked
+  /// @throws WriteError or ReadError, according to the mode, if the file cannot be opened; ScenarioError if it is locked, or if
+  /// it, or one of the files that SQLite keeps beside it, is something that reading could wait for
   Connection(const std::string& file, Mode mode);
 
   /// Makes the connection wait up to ten seconds for locks of others: a reader may meet the moment in which the writer moves

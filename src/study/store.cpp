@@ -170,14 +170,16 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
 }
 
 Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mode) {
-  if (input::type_of(file.string()) != input::PathType::file) refuse_store(file, "there is no such store");
+  const input::PathType type = input::type_of(file.string());
+  if (type == input::PathType::nothing) refuse_store(file, "there is no such store");
+  if (type != input::PathType::file) refuse_store(file, "is not a file, or is a link that leads nowhere; give a store");
   auto connection = std::make_unique<sqlite::Connection>(file.string(), mode);
   Facts facts;
   bool has_checksums = true;
   try {
     facts = facts_of(*connection);
     has_checksums = has_column_of_checksums(*connection);
-  } catch (const FileError& what) {
+  } catch (const sqlite::DamageError& what) {
     refuse_store(file, fmt::format("is not a study's store, or is damaged ({}){}", what.reason(), kRepairStore));
   }
   const bool is_damaged =
@@ -237,11 +239,10 @@ std::string Store::contents_text(const Contents& contents) const {
 }
 
 std::string Store::fault_of_file() {
-  std::error_code error;
-  if (std::filesystem::exists(file_.string() + "-wal", error)) return "";  // the file is not all of the store
+  if (input::type_of(file_.string() + "-wal") != input::PathType::nothing) return "";  // the file is not all of the store
   sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
-  const std::uintmax_t size = std::filesystem::file_size(file_, error);
-  if (!pages.step() || error || size == static_cast<std::uintmax_t>(pages.integer(0))) return "";
+  const std::uintmax_t size = std::filesystem::file_size(file_);
+  if (!pages.step() || size == static_cast<std::uintmax_t>(pages.integer(0))) return "";
   return fmt::format("the file has {} bytes where its pages have {}", size, pages.integer(0));
 }
 
@@ -276,7 +277,7 @@ StoreCheck Store::check() {
       if (check.fault.empty()) check.fault = fault_of_numbers();
       if (check.fault.empty()) check.fault = fault_of_values();
       check.intact = count();
-    } catch (const FileError& error) {
+    } catch (const sqlite::DamageError& error) {
       check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
     }
     return check;
@@ -304,7 +305,7 @@ StoreCheck Store::check() {
       check.fault = "its points are not those that were stored";
     if (const std::string numbers = fault_of_numbers(); !numbers.empty()) check.fault = numbers;
     connection_->execute("COMMIT");
-  } catch (const FileError& error) {
+  } catch (const sqlite::DamageError& error) {
     check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
     sqlite3_exec(connection_->get(), "ROLLBACK", nullptr, nullptr, nullptr);
   }
@@ -338,7 +339,7 @@ void Store::adopt(const Study& study) try {
   if (has_checksums_) put(*connection_, kFactsChecksum, facts_checksum(facts_of(*connection_)));
   commit();
   study_ = study;
-} catch (const ReadError& what) {
+} catch (const sqlite::DamageError& what) {
   refuse_store(file_, fmt::format("is damaged ({}){}", what.reason(), kRepairStore));
 }
 

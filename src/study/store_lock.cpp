@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "earthtop/error.hpp"
+#include "input/file.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -51,6 +52,25 @@ bool has_ended(std::string_view holder) {
   return host_name() == host.data() && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
+/// Refuses a file of somebody else's with the name of a lock file. @throws ScenarioError; ReadError
+void require_lock_file(const std::filesystem::path& file) {
+  const std::string path = file.string();
+  if (input::type_of(path) == input::PathType::nothing) return;
+  constexpr std::string_view kBegin = "process ";
+  std::array<char, kBegin.size()> begin{};
+  std::size_t size = 0;
+  try {
+    size = input::read_some(input::open_regular_file(path, path, {"file"}), path, begin.data(), begin.size());
+  } catch (const ScenarioError&) {
+    if (input::type_of(path) == input::PathType::nothing) return;  // its holder has just removed it
+    throw;
+  }
+  if (size > 0 && std::string_view(begin.data(), size) != kBegin)
+    throw ScenarioError(
+        std::vector<Diagnostic>{{0, 0, "", "is in the way, and is not a lock of earthtop; remove it, or choose another --out"}},
+        path);
+}
+
 }  // namespace
 
 void refuse_in_use(const std::filesystem::path& store, const std::string& holder) {
@@ -66,7 +86,8 @@ StoreLock::StoreLock(const std::filesystem::path& store) : file_(store.string() 
   constexpr auto kMoment = std::chrono::milliseconds(200), kPatienceWithTheDead = std::chrono::milliseconds(2000);
   const std::string who = this_process();
   for (const auto start = std::chrono::steady_clock::now();;) {
-    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666);
+    require_lock_file(file_);
+    descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0666);
     if (descriptor_ < 0) throw WriteError(file_.string(), fmt::format("cannot be opened ({})", std::strerror(errno)));
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;

@@ -13,12 +13,14 @@
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "input/file.hpp"
 #include "interrupt.hpp"
 #include "json_object.hpp"
 #include "measurement_text.hpp"
 #include "output.hpp"
 #include "places.hpp"
 #include "progress_line.hpp"
+#include "results/output_files.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 
@@ -72,23 +74,11 @@ int update_verb(const CompareArguments& arguments) try {
 
 /// Whether a path leads to a scenario, with which measurements are compared, and not to a compact reference.
 bool is_scenario(const std::string& path) {
-  std::error_code error;
   if (path == "-") return true;
-  if (!path.ends_with(".json") || !std::filesystem::is_regular_file(path, error)) return false;
+  if (!path.ends_with(".json") || input::type_of(path) != input::PathType::file) return false;
   const std::vector<std::string> keys = json_keys(read_scenario_source(path).text);
   return std::any_of(keys.begin(), keys.end(),
                      [](const std::string& key) { return key == "body" || key == "release" || key == "motion"; });
-}
-
-/// Checks that no output would overwrite an input. @throws ScenarioError
-void require_outputs_apart(const CompareArguments& arguments) {
-  if (!arguments.junit.empty() && arguments.junit == arguments.svg)
-    throw ScenarioError("", "--junit and --svg name the same file; give two");
-  if (!arguments.fitted.empty() && arguments.fitted == arguments.svg)
-    throw ScenarioError("", "--write-scenario and --svg name the same file; give two");
-  require_apart({arguments.junit, arguments.svg, arguments.fitted},
-                {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances},
-                "is, or is in, one of the inputs");
 }
 
 MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
@@ -109,9 +99,6 @@ void require_place_for_scenario(const ScenarioSource& source, const CompareArgum
   if (arguments.fitted.empty()) return;
   if (arguments.estimates.empty())
     throw ScenarioError("", "--write-scenario writes estimates into the scenario; name them with --estimate");
-  std::error_code error;
-  if (std::filesystem::exists(arguments.fitted, error) && !arguments.force)
-    throw ScenarioError("", fmt::format("{} already exists; give another name, or --force", printable(arguments.fitted)));
   require_writable_scenario(source, split_sets(arguments.sets), arguments.fitted);
 }
 
@@ -126,16 +113,21 @@ int measurement_verb(const CompareArguments& arguments) {
         "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet");
   if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
     throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
-  require_outputs_apart(arguments);
   const ScenarioSource source = read_scenario_source(arguments.reference);
+  std::vector<std::string> inputs = files_of(arguments.reference, parse_scenario(source, split_sets(arguments.sets)));
+  inputs.push_back(arguments.candidate);
+  OutputFiles files(
+      {{OutputKind::scenario, arguments.fitted, "--write-scenario"}, {OutputKind::measurement_picture, arguments.svg, "--svg"}},
+      inputs, arguments.force);
   require_place_for_scenario(source, arguments);
   const Measurement measurement = read_measurement(arguments.candidate);
   const MeasurementReport report = measure_watched(source, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
     return report_interruption(arguments.json);
   if (!arguments.fitted.empty() && report.fitted)
-    write_file(arguments.fitted, fitted_scenario(source, split_sets(arguments.sets), report, arguments.fitted));
-  if (!arguments.svg.empty()) write_file(arguments.svg, svg(measurement_figure(report)));
+    files.put(arguments.fitted, fitted_scenario(source, split_sets(arguments.sets), report, arguments.fitted));
+  if (!arguments.svg.empty()) files.put(arguments.svg, svg(measurement_figure(report)));
+  files.commit();
   if (arguments.json)
     print(measurement_json(report));
   else if (!arguments.quiet)
@@ -163,16 +155,18 @@ int compare_verb(const CompareArguments& arguments) {
   if (is_scenario(arguments.reference)) return measurement_verb(arguments);
   if (!arguments.estimates.empty() || !arguments.sets.empty())
     throw ScenarioError("", "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file");
-  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.force)
-    throw ScenarioError(
-        "",
-        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a "
-        "scenario and NEW a CSV file");
+  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors)
+    throw ScenarioError("",
+                        "--write-scenario, --correlation-time and --priors belong to a measurement, where REFERENCE is a "
+                        "scenario and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
-  require_outputs_apart(arguments);
+  OutputFiles files(
+      {{OutputKind::verdicts, arguments.junit, "--junit"}, {OutputKind::comparison_picture, arguments.svg, "--svg"}},
+      {arguments.reference, arguments.candidate, arguments.mapping, arguments.tolerances}, arguments.force);
   const CompareReport report = compare_watched(arguments);
-  if (!arguments.junit.empty()) write_file(arguments.junit, comparison_junit(report));
-  if (!arguments.svg.empty()) write_file(arguments.svg, svg(comparison_figure(report)));
+  if (!arguments.junit.empty()) files.put(arguments.junit, comparison_junit(report));
+  if (!arguments.svg.empty()) files.put(arguments.svg, svg(comparison_figure(report)));
+  files.commit();
   if (!arguments.quiet) print_notes(report.unverified());
   if (arguments.json)
     print(comparison_json(report));
@@ -209,7 +203,7 @@ Verb describe_compare() {
            "for a measurement: errors of a quantity are not independent, but correlated by exp(-dt/T); T in s")
       .called("T");
   compare.add("--write-scenario", &a.fitted, "for a measurement: write the scenario with the estimates in it").called("FILE");
-  compare.add("--force", &a.force, "for --write-scenario: overwrite an existing file");
+  compare.add("--force", &a.force, "also overwrite files that earthtop did not write, or that have been changed since");
   add_set_option(compare, a.sets);
   compare
       .add("--profile", &a.profile,

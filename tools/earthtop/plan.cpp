@@ -4,18 +4,17 @@
 #include <fmt/core.h>
 
 #include <charconv>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "command_line.hpp"
-#include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "places.hpp"
 #include "plan_text.hpp"
 #include "progress_line.hpp"
+#include "results/output_files.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 
@@ -29,7 +28,7 @@ struct PlanArguments {
   double until_s = 0;  // 0: not given
   std::string svg, data;
   unsigned seed = 1;
-  bool json = false, quiet = false;
+  bool force = false, json = false, quiet = false;
 };
 
 MeasurementPlan plan_of(const PlanArguments& arguments) {
@@ -56,23 +55,15 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
   return plan;
 }
 
-/// Checks that no output would overwrite an input. @throws ScenarioError
-void require_outputs_apart(const PlanArguments& arguments, const Scenario& scenario) {
-  if (!arguments.svg.empty() && !arguments.data.empty() && place_of(arguments.svg) == place_of(arguments.data))
-    throw ScenarioError("", "--svg and --write-data name the same file; give two");
-  std::vector<std::string> inputs = {arguments.scenario};
-  if (scenario.platform && !scenario.platform->file.empty())
-    inputs.push_back((std::filesystem::path(arguments.scenario).parent_path() / scenario.platform->file).string());
-  require_apart({arguments.svg, arguments.data}, inputs, "is one of the inputs");
-}
-
 int plan_verb(const PlanArguments& arguments) {
   const MeasurementPlan plan = plan_of(arguments);
   std::vector<DesignInput> design;
   for (const std::string& text : arguments.design) design.push_back(design_input(text));
   const ScenarioSource source = read_scenario_source(arguments.scenario);
   const auto overrides = split_sets(arguments.sets);
-  require_outputs_apart(arguments, parse_scenario(source, overrides));
+  OutputFiles files(
+      {{OutputKind::plan_picture, arguments.svg, "--svg"}, {OutputKind::simulated_data, arguments.data, "--write-data"}},
+      files_of(arguments.scenario, parse_scenario(source, overrides)), arguments.force);
 
   const OrderlyEnd orderly;
   Progress progress;
@@ -86,8 +77,9 @@ int plan_verb(const PlanArguments& arguments) {
     data = simulated_measurement(source, overrides, plan, arguments.seed, watch.with_progress(nullptr));
   if (was_interrupted || (has_data && !data)) return report_interruption(arguments.json);
   progress.reach(1);
-  if (data) write_file(arguments.data, *data);
-  if (!arguments.svg.empty()) write_file(arguments.svg, svg(plan_figure(report)));
+  if (data) files.put(arguments.data, *data);
+  if (!arguments.svg.empty()) files.put(arguments.svg, svg(plan_figure(report)));
+  files.commit();
   if (arguments.json)
     print(plan_json(report));
   else if (!arguments.quiet)
@@ -137,6 +129,7 @@ Verb describe_plan() {
   plan.add("--write-data", &a.data, "write a simulated measurement: the scenario's motion with normally distributed errors")
       .called("FILE.csv");
   plan.add("--seed", &a.seed, "for --write-data: another seed gives other errors; default 1").called("N");
+  plan.add("--force", &a.force, "also overwrite files that earthtop did not write, or that have been changed since");
   add_set_option(plan, a.sets);
   plan.add("--json", &a.json, "print the plan, or the errors, as one JSON document");
   plan.add("--quiet", &a.quiet, "print nothing but errors (and what --json asks for)");

@@ -53,12 +53,6 @@ StudyShard parse_shard(const std::string& text) {
   return shard;
 }
 
-/// The store itself, given as a file or as its directory.
-fs::path store_of(const std::string& given) {
-  std::error_code error;
-  return fs::is_directory(given, error) ? study_store(given) : fs::path(given);
-}
-
 int dry_run(const Study& study, const StudyArguments& arguments) {
   require_affordable(study);
   const StudyEstimate expected = estimate(study);
@@ -150,6 +144,7 @@ int study_verb(const StudyArguments& arguments) {
   options.repair = arguments.repair;
   options.processes = &processes;
   options.watch = stop_flag();
+  if (options.shard.is_whole()) check_study_results(options.dir, study, options.force);
   StudyRunReport report;
   {
     const OrderlyEnd orderly;
@@ -178,7 +173,7 @@ int study_verb(const StudyArguments& arguments) {
                                        report.progress.before + report.progress.done, report.progress.wanted)}},
                          arguments.json, interrupted_status());
   if (options.shard.is_whole()) {
-    write_study_results(report.store);
+    write_study_results(report.store, {}, arguments.force);
     print_results(report.store, arguments.json, arguments.quiet);
   } else {
     print_shard_report(report, arguments);
@@ -199,11 +194,11 @@ int check_store(const fs::path& store) {
 
 int merge_verb(const StudyArguments& arguments) {
   std::vector<fs::path> stores;
-  for (const std::string& given : arguments.stores) stores.push_back(store_of(given));
+  for (const std::string& given : arguments.stores) stores.push_back(store_at(given));
   const fs::path dir = arguments.out.value_or(".");
   merge_study_stores(stores, dir, arguments.force);
   const fs::path merged = study_store(dir);
-  write_study_results(merged);
+  write_study_results(merged, {}, arguments.force);
   const auto [planned, computed, failed] = study_counts(written_document(merged));
   print_results(merged, arguments.json, arguments.quiet);
   if (computed < planned)
@@ -213,7 +208,7 @@ int merge_verb(const StudyArguments& arguments) {
 }
 
 int show_verb(const StudyArguments& arguments) {
-  const fs::path store = store_of(arguments.store);
+  const fs::path store = store_at(arguments.store);
   const int status = check_store(store);
   const std::string text = study_json(store);
   print(arguments.json ? text : study_text(text, output_screen().width));
@@ -221,7 +216,7 @@ int show_verb(const StudyArguments& arguments) {
 }
 
 int export_verb(const StudyArguments& arguments) {
-  const fs::path store = store_of(arguments.store);
+  const fs::path store = store_at(arguments.store);
   const int status = check_store(store);
   study_csv(store, [](std::string_view piece) { print(piece); });
   return status;
@@ -242,7 +237,7 @@ Verb describe_study() {
   study.add("--out", &a.out, "directory for the store and the results; default: out/studies/<name>").called("DIR");
   study.add("--jobs", &a.jobs, "number of threads; default: one per core").called("N").within(1, 4096);
   study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
-  study.add("--force", &a.force, "discard the store of another study");
+  study.add("--force", &a.force, "discard the store of another study, and overwrite results that are not this study's");
   study.add("--keep-going", &a.keep_going,
             "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
@@ -259,7 +254,7 @@ Verb describe_study() {
   merge.ends_with(kWriteFailed, "writing failed, or reading a store broke off");
   merge.add("STORE", &a.stores, "stores, or directories that hold one").required();
   merge.add("--out", &a.out, "directory of the merged store and its results").called("DIR").required();
-  merge.add("--force", &a.force, "discard the store of another study there");
+  merge.add("--force", &a.force, "discard the store of another study there, and overwrite results that are not this study's");
   add_output_flags(merge);
 
   Verb show("show", "print what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });

@@ -13,6 +13,7 @@
 #include "command_line.hpp"
 #include "earthtop/run.hpp"
 #include "examples.hpp"
+#include "input/file.hpp"
 #include "interrupt.hpp"
 #include "json_object.hpp"
 #include "output.hpp"
@@ -34,15 +35,10 @@ struct VerifyArguments {
 /// The scenario files of a directory, in alphabetical order. @throws ScenarioError if there are none
 std::vector<std::string> files_in(const std::string& directory) {
   std::vector<std::string> files;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, error))
-    if (entry.path().extension() == ".json") files.push_back(entry.path().string());
-  if (files.empty())
-    throw ScenarioError(
-        std::vector<Diagnostic>{
-            {0, 0, "", error ? "cannot be read (" + error.message() + ")" : "has no scenario file (*.json)"}},
-        directory);
-  std::sort(files.begin(), files.end());
+  for (const std::string& name : input::names_in(directory))
+    if (const std::filesystem::path file = std::filesystem::path(directory) / name; file.extension() == ".json")
+      files.push_back(file.string());
+  if (files.empty()) throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "has no scenario file (*.json)"}}, directory);
   return files;
 }
 
@@ -54,7 +50,7 @@ std::vector<ScenarioSource> sources_of(const VerifyArguments& arguments) {
     for (const Example& example : hard_cases())
       sources.push_back({fmt::format("{}.json", example.name), std::string(example.text)});
   for (const std::string& path : arguments.files) {
-    if (std::error_code unknown; !std::filesystem::is_directory(path, unknown)) {
+    if (path == "-" || input::type_of(path) != input::PathType::directory) {
       sources.push_back(read_scenario_source(path));
       continue;
     }

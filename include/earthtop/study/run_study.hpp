@@ -58,6 +58,10 @@ struct StudyRunReport {
 /// Path of the file that holds the points of a study, or of one shard of it.
 std::filesystem::path study_store(const std::filesystem::path& dir, const StudyShard& shard = {});
 
+/// The store that a path names: the path itself, or what `study_store` says of a directory.
+/// @throws ScenarioError, ReadError where the path cannot be looked at
+std::filesystem::path store_at(const std::filesystem::path& given);
+
 /// Computes those points of a study that its store lacks. Each point's result depends on that point alone, and is stored within
 /// about a second after it has been computed. A store of another study is replaced if none of its runs was completed.
 /// Every point that the store has already is first checked against its checksum.
@@ -92,8 +96,13 @@ std::string study_json(const std::filesystem::path& store, const Watch& watch = 
 /// Writes the results beside the store: study.csv (one line per point), study.json, and study.svg if a few curves can show the
 /// study.
 /// @param watch may stop the writing before any file is in place
-/// @throws WriteError, Interrupted
-void write_study_results(const std::filesystem::path& store, const Watch& watch = {});
+/// @param force  overwrite files that are not this study's results as they were written
+/// @throws ScenarioError as `check_study_results`; WriteError, Interrupted
+void write_study_results(const std::filesystem::path& store, const Watch& watch = {}, bool force = false);
+
+/// Checks that the results of a study may be written to a directory. To be called before the points are computed.
+/// @throws ScenarioError if one of the files is there and is not what was written for this study (unless `force`); ReadError
+void check_study_results(const std::filesystem::path& dir, const Study& study, bool force);
 
 /// Passes the table of the points (study.csv) to `sink`, piece by piece.
 void study_csv(const std::filesystem::path& store, const std::function<void(std::string_view)>& sink);

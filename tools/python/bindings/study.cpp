@@ -24,19 +24,14 @@ py::object array_of(std::vector<Number>&& numbers) {
   return py::array_t<Number>(static_cast<py::ssize_t>(kept->size()), kept->data(), owner);
 }
 
-/// The store itself, given as a file or as its directory.
-fs::path store_of(const fs::path& given) {
-  std::error_code error;
-  return fs::is_directory(given, error) ? study_store(given) : given;
-}
-
 StudyRunReport run_and_write(const ScenarioSource& source, StudyRunOptions options, bool writes_results, const Watch& watch) {
   const Study study = parse_study(source);
   options.watch = watch;
   const Watch points = watch.part(0, 1, "points");
   options.on_progress = [&](const StudyProgress& progress) { points.reach(progress.share); };
+  if (writes_results) check_study_results(options.dir, study, options.force);
   StudyRunReport report = run_study(study, options);
-  if (writes_results && !report.interrupted) write_study_results(report.store, watch);
+  if (writes_results && !report.interrupted) write_study_results(report.store, watch, options.force);
   return report;
 }
 
@@ -65,7 +60,7 @@ void bind_study(py::module_& module) {
   module.def(
       "study_columns",
       [](const fs::path& given) {
-        const auto read = [&](const Watch& watch) { return study_columns(store_of(given), watch); };
+        const auto read = [&](const Watch& watch) { return study_columns(store_at(given), watch); };
         py::list list;
         for (StudyColumn& column : result_of(py::none(), read))
           list.append(py::make_tuple(column.name, column.has_numbers, array_of(std::move(column.numbers)),
@@ -78,7 +73,7 @@ void bind_study(py::module_& module) {
   module.def(
       "study_json",
       [](const fs::path& given) {
-        return result_of(py::none(), [&](const Watch& watch) { return study_json(store_of(given), watch); });
+        return result_of(py::none(), [&](const Watch& watch) { return study_json(store_at(given), watch); });
       },
       py::arg("store"), "The document of a study's store.");
   module.def(
