@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/sqlite.hpp"
 
+#include <fmt/core.h>
 #include <sys/stat.h>
 
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <new>
@@ -23,9 +25,11 @@ void require_plain_files(const std::string& database) {
   for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
     const std::string file = database + suffix;
     const input::PathType type = input::type_of(file);
-    if (type != input::PathType::nothing && type != input::PathType::file)
-      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "is not a file, or is a link that leads nowhere; remove it"}},
-                          file);
+    struct stat named = {};
+    const bool is_link = *suffix != '\0' && ::lstat(file.c_str(), &named) == 0 && S_ISLNK(named.st_mode);
+    if (is_link || (type != input::PathType::nothing && type != input::PathType::file))
+      throw ScenarioError(
+          std::vector<Diagnostic>{{0, 0, "", "is not a file, or is a link; give a store whose files are files"}}, file);
   }
   // A file like /proc/kmsg calls itself regular and empty. No other is opened: closing it would release SQLite's locks on it.
   struct stat status = {};
@@ -113,9 +117,22 @@ void Connection::fail() const {
   // An error of a statement means that a table or a column is not there.
   const bool is_damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR || code == SQLITE_TOOBIG ||
                           extended == SQLITE_IOERR_SHORT_READ;
+  if (is_damaged) require_read();
   if (is_damaged) throw DamageError(file_, reason);
   if (mode_ == Mode::write) throw WriteError(file_, reason);
   throw ReadError(file_, reason + "; check the disk");
+}
+
+void Connection::require_read() const {
+  const auto require = [&](int error) {
+    for (const int fault : {EIO, ENXIO, ESTALE})
+      if (error == fault) throw ReadError(file_, fmt::format("reading failed ({}); check the disk", std::strerror(error)));
+  };
+  int error = 0;
+  if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_LAST_ERRNO, &error) == SQLITE_OK) require(error);
+  sqlite3_file* log = nullptr;
+  if (sqlite3_file_control(database_.get(), "main", SQLITE_FCNTL_JOURNAL_POINTER, &log) != SQLITE_OK) return;
+  if (log && log->pMethods && log->pMethods->xFileControl(log, SQLITE_FCNTL_LAST_ERRNO, &error) == SQLITE_OK) require(error);
 }
 
 void Connection::execute(const char* sql) {

@@ -64,6 +64,9 @@ class Connection {
   /// its log into the store. A new connection waits only 0.2 s, so that a process which uses the file is reported immediately.
   void wait_for_locks();
   void execute(const char* sql);
+  /// To be called before content is called damaged: SQLite says so, too, where the disk failed to give a page.
+  /// @throws ReadError if the last read of a file failed
+  void require_read() const;
   /// @throws ScenarioError, naming the other process if it can be found, if that process has locked the file and this
   /// connection is not patient; std::bad_alloc if SQLite found no memory; otherwise WriteError (ReadError in read mode, and
   /// of a damaged file) with SQLite's reason

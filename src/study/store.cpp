@@ -184,6 +184,7 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   }
   const bool is_damaged =
       has_checksums != facts.contains(kFactsChecksum) || (has_checksums && facts.at(kFactsChecksum) != facts_checksum(facts));
+  if (is_damaged || facts["format"] != kFormat) connection->require_read();
   if (is_damaged)
     refuse_store(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
   if (facts["format"] != kFormat) refuse_store(file, "is not a study's store of this version");
@@ -194,8 +195,10 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
               StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
   store.has_checksums_ = has_checksums;
   store.file_ = file;
-  if (!store.has_its_table())
+  if (!store.has_its_table()) {
+    store.connection_->require_read();
     refuse_store(file, fmt::format("is damaged: its table of points is not that of its study{}", kRepairStore));
+  }
   return store;
 }
 
@@ -273,7 +276,10 @@ StoreCheck Store::check() {
   if (!has_checksums_) {
     try {
       sqlite::Statement pages(*connection_, "PRAGMA quick_check(1)");
-      if (pages.step() && pages.text(0) != "ok") check.fault = "its pages are not in order";
+      if (pages.step() && pages.text(0) != "ok") {
+        connection_->require_read();
+        check.fault = "its pages are not in order";
+      }
       if (check.fault.empty()) check.fault = fault_of_numbers();
       if (check.fault.empty()) check.fault = fault_of_values();
       check.intact = count();
@@ -309,6 +315,7 @@ StoreCheck Store::check() {
     check.fault = fmt::format("it cannot be read to its end ({})", error.reason());
     sqlite3_exec(connection_->get(), "ROLLBACK", nullptr, nullptr, nullptr);
   }
+  if (check.is_damaged()) connection_->require_read();
   pass_over(check.damaged);
   return check;
 }

@@ -147,7 +147,7 @@ expect 0 compare fitted.json measured.csv --json
 sed -n '/"as_given": {/,/}/s/.*"value": //p' out.txt >chi-again.txt
 cmp chi-fitted.txt chi-again.txt || fault "the fitted scenario has another chi-squared"
 expect 2 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json
-on_stderr 'fitted.json already exists'
+on_stderr 'fitted.json: error: already exists'
 expect 0 compare "$scenarios/toy-top.json" measured.csv --estimate spin_rad_s --write-scenario fitted.json --force --quiet
 expect 2 compare fitted.json measured.csv --estimate spin_rad_s --write-scenario fitted.json --force
 expect 2 compare "$scenarios/toy-top.json" measured.csv --write-scenario other.json

@@ -151,7 +151,9 @@ def test_a_file_keeps_its_text(scenarios, tmp_path):
     assert top.text == text
     assert et.load(top.save(tmp_path / "copy.json")) == top
     top["duration_s"] = 5
-    assert et.load(top.save(tmp_path / "copy.json"))["duration_s"] == 5
+    with pytest.raises(et.ScenarioError, match="already exists.*or force=True to overwrite it"):
+        top.save(tmp_path / "copy.json")
+    assert et.load(top.save(tmp_path / "copy.json", force=True))["duration_s"] == 5
     assert top.text == text.replace('"duration_s": 60', '"duration_s": 5'), "layout and comments are as they were"
     assert et.example("toy-top").sha256 == et.load(str(scenarios / "toy-top.json")).sha256
     with pytest.raises(et.ScenarioError, match="did you mean 'toy-top'"):

@@ -268,7 +268,7 @@ CASES = [
             "--sigma 0,1: is not a number; give a standard error in the quantity's unit, e.g. 0.01", status=2),
     planned("--measure azimuth_deg --sigma 1 --measure azimuth_rad --sigma 1 --every 1",
             "--measure azimuth_rad: is measured already, as azimuth_deg; keep one", status=2),
-    planned("--svg s.json", "s.json is one of the inputs", status=2),
+    planned("--svg s.json", "s.json: error: is one of the inputs; write to another place", status=2),
     planned("--svg x --write-data ./x", "--svg and --write-data name the same file; give two", status=2),
     planned("", "/effects: the choice of effects is left to the program; to plan a measurement, name them", status=2,
             set={"/effects": "auto", "/accuracy/drift_rad": 1e-6}, unless={"/effects": {"coriolis": True}}),

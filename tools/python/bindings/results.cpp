@@ -11,6 +11,7 @@
 #include "default_arithmetic.hpp"
 #include "earthtop/results/row_arrays.hpp"
 #include "earthtop/run.hpp"
+#include "results/output_files.hpp"
 #include "waiting.hpp"
 
 namespace earthtop::python {
@@ -116,7 +117,21 @@ void bind_results(py::module_& module) {
       py::arg("directory"), "The files of results: (texts by names, notes on what could not be verified).");
   module.def("write_result_texts", [](const ResultTexts& texts, const Scene& scene, const std::filesystem::path& dir,
                                       bool force) { write_results(texts, scene, dir, force); });
-  module.def("write_file", [](const std::filesystem::path& file, const std::string& content) { write_file(file, content); });
+  py::enum_<OutputKind>(module, "OutputKind")
+      .value("page", OutputKind::page)
+      .value("page_picture", OutputKind::page_picture)
+      .value("document", OutputKind::document)
+      .value("scenario", OutputKind::scenario);
+  module.def(
+      "write_files",
+      [](const std::vector<std::tuple<OutputKind, std::string, std::string>>& given, const std::vector<std::string>& inputs,
+         bool force) {
+        OutputFiles files({}, inputs, force);
+        for (const auto& [kind, path, content] : given) files.add({kind, path}, content);
+        files.commit();
+      },
+      py::arg("files"), py::arg("inputs"), py::arg("force"),
+      "Writes files (kind, path, content), all or none; one that is there and that earthtop did not write needs force.");
   module.def(
       "run",
       [](const Scene& scene, unsigned jobs, const py::object& on_progress) {

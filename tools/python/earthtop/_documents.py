@@ -41,9 +41,13 @@ class Document(Pickled):
             self._document = json.loads(self.text)
         return self._document
 
-    def save(self, path: Union[str, os.PathLike]) -> Path:
-        """Writes the document to a file, of which ``earthtop report`` makes a page."""
-        _core.write_file(os.fspath(path), self.text)
+    def save(self, path: Union[str, os.PathLike], *, force: bool = False) -> Path:
+        """Writes the document to a file, of which ``earthtop report`` makes a page.
+
+        A document of the same kind is replaced; another file that is there needs ``force``.
+        """
+        with errors_named():
+            _core.write_files([(_core.OutputKind.document, os.fspath(path), self.text)], [], force)
         return Path(path)
 
     def __getstate__(self) -> Dict[str, Any]:

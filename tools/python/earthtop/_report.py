@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     Reportable = Union[Result, Document, Mapping[str, Any], pandas.DataFrame, str, os.PathLike]
 
 
-def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, svg: bool = False) -> Path:
+def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, svg: bool = False,
+           force: bool = False) -> Path:
     """Writes one self-contained HTML page, which needs no other file and no network.
 
     Parameters
@@ -34,6 +35,8 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
         the page; default, where ``what`` is a path: report.html in the directory, or the document's name with .html
     svg : bool
         write its pictures beside it as SVG files, too
+    force : bool
+        overwrite files with these names that earthtop did not write, or that have been changed since
 
     Returns
     -------
@@ -43,7 +46,7 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
     Raises
     ------
     ScenarioError
-        if there is no page about it
+        if there is no page about it; or if another file is in the way
     """
     with contextlib.ExitStack() as stack:
         place, names = _place(what, stack)
@@ -51,13 +54,16 @@ def report(what: "Reportable", path: Union[None, str, os.PathLike] = None, *, sv
             raise refuse("say where the page is to be written, e.g. earthtop.report(r, 'page.html')")
         stack.enter_context(errors_named(names))
         page = Path(_core.report_file(place) if path is None else path)
-        if page.suffix != ".html" and page.exists():
-            raise refuse(f"{page} already exists, and is not a page by its name; choose a name that ends in .html")
         html, pictures, notes = _core.make_report(place)
         warn(renamed(note, names) for note in notes)
-        _core.write_file(page, renamed(html, {escape(name): escape(called) for name, called in names.items()}))
-        for name, picture in pictures if svg else ():
-            _core.write_file(page.with_name(f"{page.stem}-{name}.svg"), picture)
+        in_markup = {escape(name): escape(called) for name, called in names.items()}
+        kind = _core.OutputKind
+        files = [(kind.page, str(page), renamed(html, in_markup))]
+        files += [(kind.page_picture, str(page.with_name(f"{page.stem}-{name}.svg")), picture)
+                  for name, picture in (pictures if svg else ())]
+        inside = [place] if os.path.isfile(place) else [os.path.join(place, name) for name in os.listdir(place)
+                                                        if not name.endswith((".html", ".svg"))]
+        _core.write_files(files, inside, force)
     return page
 
 

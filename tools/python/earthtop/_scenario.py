@@ -213,9 +213,12 @@ class Scenario:
         """Mass, moments, critical spin, rates of precession and nutation, as in ``summary["top"]``."""
         return json.loads(self.scene().top)
 
-    def save(self, path: Union[str, os.PathLike]) -> Path:
-        """Writes it to a file."""
-        Path(path).write_text(self.text, encoding="utf-8")
+    def save(self, path: Union[str, os.PathLike], *, force: bool = False) -> Path:
+        """Writes it to a file. A file that is there, unless it has the same content, needs ``force``."""
+        from ._documents import errors_named
+
+        with errors_named():
+            _core.write_files([(_core.OutputKind.scenario, os.fspath(path), self.text)], [], force)
         return Path(path)
 
     def __eq__(self, other: object) -> bool:
