@@ -180,9 +180,11 @@ def main():
                 faults += earthtop("compare others", (0, 1), "compare", "out", "other")[1]
                 compared, more = earthtop("compare others --json", (0, 1), "compare", "out", "other", "--json", "--junit", "junit.xml")
                 (folder / "comparison.json").write_text(compared.out)
-                faults += more + no_numbers("junit.xml", (folder / "junit.xml").read_text())
+                junit = folder / "junit.xml"
+                faults += more + (no_numbers(junit.name, junit.read_text()) if junit.exists() else ["no junit.xml"])
                 faults += earthtop("report comparison.json", (0,), "report", "comparison.json", "--quiet")[1]
-                faults += no_numbers("comparison.html", (folder / "comparison.html").read_text())
+                page = folder / "comparison.html"
+                faults += no_numbers(page.name, page.read_text()) if page.exists() else ["no comparison.html"]
         elif ran.status == 0:
             faults.append("run: no summary.json")
         done = (0, 2, 3) if good else (2,)
