@@ -52,11 +52,10 @@ bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
 }
 
 /// Returns the cost of the long-horizon method, in sets-up of its closed form and in looks between the rows.
-IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options) {
+IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options, double looks) {
   // Between the parts of a kick that is spread over the nutation, the closed form is set up in double.
   constexpr double kSecondsALook = 1e-6, kAveraging = 8.5e-7, kFollowing = 2.5e-6;
-  const LongHorizonDriftWork expected =
-      long_horizon_drift_work(scene.problem<double>(), options, judgement_looks(options.method));
+  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, looks);
   const double each = expected.averages ? kAveraging : kFollowing;
   return {expected.work, each * expected.work.evaluations + kSecondsALook * expected.looks};
 }
@@ -76,13 +75,17 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   if (closed_form)
     cost.work = work_of_closed_form(scene);
   else if (is_long_horizon(scene, options))
-    return long_horizon_cost(scene, options);
+    return long_horizon_cost(scene, options, judgement_looks(options.method));
   else
     cost.work = estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
   cost.seconds = seconds_an_evaluation(scene, options) * cost.work.evaluations;
   // Unless the two motions differ only by a turn of the laboratory, the drift of a closed form is evaluated in 113 bits.
   if (closed_form) cost.seconds += (scene.is_one_motion() ? 1e-6 : 1e-4) * scene.rows();
   return cost;
+}
+
+double seconds_looking(const Scene& scene, const IntegrationOptions& options, double looks) {
+  return (is_long_horizon(scene, options) ? long_horizon_cost(scene, options, looks) : cost_of(scene, options)).seconds;
 }
 
 }  // namespace earthtop

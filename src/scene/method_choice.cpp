@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The method that "auto" stands for in a scene.
 #include <algorithm>
+#include <cmath>
 
 #include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
@@ -35,11 +36,18 @@ double seconds_with(const Scene& scene, const IntegrationOptions& options) {
 /// difference has to be evaluated in 113 bits.
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
+/// Returns whether the axis stays near the angular momentum of the release: the nutation that the long-horizon method averages over is
+/// small, as that of a top let go slowly is, and that of one flung round is not.
+bool nutates_little(const Scene& scene) {
+  const Vec3<double> momentum = scene.body<double>().I_BP_B * scene.release<double>().w_XB_B;
+  return real::hypot(momentum[0], momentum[1]) < std::abs(momentum[2]);
+}
+
 /// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster. The
 /// number of output rows has no part in it: they change no digit of a series.
 bool has_long_horizon(const Scene& given) {
   constexpr double kGain = 1.5, kRows = 200;
-  if (given.method_refusal(Method::long_horizon)) return false;
+  if (given.method_refusal(Method::long_horizon) || !nutates_little(given)) return false;
   Scenario usual = given.scenario();
   usual.output_step_s = usual.duration_s / kRows;
   const Scene scene = usual.output_step_s == given.scenario().output_step_s ? given : resolve(usual);

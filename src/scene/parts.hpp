@@ -61,6 +61,8 @@ double closed_form_turn_rate_rad_s(const Scene& scene);
 
 // integration_cost.cpp: the cost of one integration with given options.
 IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);
+/// Returns the time (s) of one integration that is looked at so often between its rows: long_horizon takes a step aside for each look.
+double seconds_looking(const Scene& scene, const IntegrationOptions& options, double looks);
 /// Returns the time (s) of one right-hand side of both predictions and the deviation between them, in double and in the general
 /// form, including its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);
