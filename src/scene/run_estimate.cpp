@@ -71,8 +71,8 @@ RunEstimate estimate_run(const Scene& scene) {
   // The drift is computed anew at the times of the largest values in half of the runs; where windows stand for a long run, they are
   // narrowed in two or three integrations more.
   constexpr double kOnce = 0.5, kNarrowed = 2.5;
-  seconds.largest = seconds_looking(scene, scene.choice().options, std::min(kMostLooks, looks)) *
-                    (looks < kMostLooks ? kOnce : kNarrowed);
+  seconds.largest =
+      seconds_looking(scene, scene.choice().options, std::min(kMostLooks, looks)) * (looks < kMostLooks ? kOnce : kNarrowed);
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = row.assessed * scene.rows();
   if (scenario.sensitivities)
