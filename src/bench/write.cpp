@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "earthtop/bench/comparison.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "results/file_set.hpp"
-#include "results/output_files.hpp"
 
 namespace earthtop {
 namespace {

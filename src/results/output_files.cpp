@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "results/output_files.hpp"
+#include "earthtop/results/output_files.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -17,6 +17,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/file.hpp"
+#include "results/file_set.hpp"
 #include "results/seal.hpp"
 #include "text/checksum.hpp"
 

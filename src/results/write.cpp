@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/row_arrays.hpp"
@@ -19,7 +20,6 @@
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
 #include "results/number_ranges.hpp"
-#include "results/output_files.hpp"
 #include "results/seal.hpp"
 #include "text/checksum.hpp"
 

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "input/file.hpp"
 #include "results/file_set.hpp"
-#include "results/output_files.hpp"
 #include "results/seal.hpp"
 #include "study/figure.hpp"
 #include "study/gathering.hpp"

@@ -170,7 +170,7 @@ def study_results(attack):
         if state == "own":
             return [] if end.status == 0 else [f"status {end.status}: {end.err.strip()}"]
         faults = [] if end.status == 2 else [f"status {end.status} instead of 2"]
-        if place.read_bytes() != before:
+        if not place.exists() or place.read_bytes() != before:
             faults.append("was overwritten")
         forced = attack.run(*command, "--force", cwd=folder)
         if forced.status != 0 or place.exists() and place.read_bytes() == before:

@@ -11,6 +11,7 @@
 #include "command_line.hpp"
 #include "compare_text.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "input/file.hpp"
@@ -20,7 +21,6 @@
 #include "output.hpp"
 #include "places.hpp"
 #include "progress_line.hpp"
-#include "results/output_files.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 

@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "command_line.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "manual_page.hpp"
 #include "output.hpp"
-#include "results/output_files.hpp"
 #include "unknown_words.hpp"
 #include "verbs.hpp"
 

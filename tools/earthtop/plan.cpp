@@ -8,13 +8,13 @@
 #include <optional>
 
 #include "command_line.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/run.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "places.hpp"
 #include "plan_text.hpp"
 #include "progress_line.hpp"
-#include "results/output_files.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 

@@ -8,10 +8,10 @@
 
 #include "command_line.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "input/file.hpp"
 #include "json_object.hpp"
 #include "output.hpp"
-#include "results/output_files.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {

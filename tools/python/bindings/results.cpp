@@ -9,9 +9,9 @@
 
 #include "bindings.hpp"
 #include "default_arithmetic.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/results/row_arrays.hpp"
 #include "earthtop/run.hpp"
-#include "results/output_files.hpp"
 #include "waiting.hpp"
 
 namespace earthtop::python {

@@ -9,8 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "results/file_set.hpp"
-
 namespace earthtop {
 
 /// What a file is for. An older one for the same purpose is known by its content.
