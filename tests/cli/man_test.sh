@@ -72,7 +72,7 @@ nothing_on_stdout
 expect 2 man run --all elsewhere
 [ ! -e elsewhere ] || fault "a refused command line left a directory"
 echo a file >file
-expect 4 man --all file
+expect 2 man --all file
 on_stderr 'file'
 
 [ "$faults" -eq 0 ] && echo "all as expected"

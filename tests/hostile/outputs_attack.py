@@ -16,6 +16,12 @@ import tempfile
 from attack import Attack
 
 PLAN = "plan top.json --measure tilt_deg --sigma 0.01 --every 0.1 --quiet"
+# What is said of a place, by its state.
+SAYS = {"directory": "is a directory; give the name of a file", "socket": "is not a file; give the name of a file",
+        "dangling link": "is a link that leads nowhere", "link to foreign": "is a link; give the name of the file that it leads to",
+        "write-protected": "already exists and is write-protected; give another name, or --force to overwrite it",
+        "FIFO without a reader": "has no reader; start the process that reads it first", "named twice": "name the same file; give two",
+        "input": "one of the inputs; write to another place"}
 MEASURED = "compare top.json data.csv --estimate spin_rad_s --quiet"
 PAIR = "compare one two --quiet"
 # An output: its name in the matrix, the command, the option that names the file, and another output of the same command. A fitted
@@ -129,6 +135,8 @@ def attempt(attack, case, folder):
             faults.append(f"status {end.status} instead of 2")
         elif str(place) not in end.err and state != "named twice":
             faults.append("does not name the file: " + end.err.strip())
+        elif SAYS.get(state, "already exists, and is not as " if "foreign" in state else "") not in end.err:
+            faults.append("says " + end.err.strip())
         if after != before:
             faults.append("changed " + ", ".join(sorted(key for key in {*before, *after} if before.get(key) != after.get(key))))
     else:
