@@ -43,7 +43,7 @@ std::string in_words(const Recipe& recipe, Precision precision, double tolerance
 
 template <class T>
 std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<double>& times_s, const Recipe& recipe,
-                                          double tolerance) {
+                                          double tolerance, const Watch& watch) {
   DriftProblem<T> problem = scene.problem<T>();
   problem.times_s = times_s;
   IntegrationOptions options;
@@ -51,7 +51,9 @@ std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<
   options.observer = recipe.observer;
   options.form = recipe.form;
   options.relative_tolerance = tolerance;
-  const DriftTrajectory<T> trajectory = integrate_drift(problem, options);
+  const DriftTrajectory<T> trajectory = integrate_drift(problem, options, watch);
+  if (trajectory.status == RunStatus::interrupted)
+    throw std::runtime_error("no reference: it takes far longer than was estimated; a shorter duration has one sooner");
   if (trajectory.status != RunStatus::completed)
     throw std::runtime_error(fmt::format("no reference: {} in extended precision ended with {}", to_string(recipe.method),
                                          to_string(trajectory.status)));
@@ -62,9 +64,9 @@ std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<
 }
 
 std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<double>& times_s, const Recipe& recipe,
-                                          double tolerance, Precision precision) {
-  if (precision == Precision::bits113) return integrate_exactly<float128>(scene, times_s, recipe, tolerance);
-  return integrate_exactly<long double>(scene, times_s, recipe, tolerance);
+                                          double tolerance, Precision precision, const Watch& watch) {
+  if (precision == Precision::bits113) return integrate_exactly<float128>(scene, times_s, recipe, tolerance, watch);
+  return integrate_exactly<long double>(scene, times_s, recipe, tolerance, watch);
 }
 
 /// Both motions in closed form, and the angle between their axes. It is found by subtracting them, for which 113 bits are
@@ -105,15 +107,16 @@ double estimated_seconds_of(const Scene& scene, const Recipe& recipe, double tol
 
 }  // namespace
 
-CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s, Precision precision) {
+CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s, Precision precision,
+                                       const Watch& watch) {
   const Plan plan = plan_of(scene, precision);
   CertifiedReference reference;
-  reference.checkpoints = integrate_exactly(scene, times_s, plan.source, plan.tolerance, precision);
+  reference.checkpoints = integrate_exactly(scene, times_s, plan.source, plan.tolerance, precision, watch);
   reference.source = in_words(plan.source, precision, plan.tolerance);
   std::vector<Checkpoint> witness = exact_checkpoints(scene, times_s);
   reference.witness = "closed form, float128";
   if (witness.empty()) {
-    witness = integrate_exactly(scene, times_s, plan.witness, plan.tolerance, precision);
+    witness = integrate_exactly(scene, times_s, plan.witness, plan.tolerance, precision, watch);
     reference.witness = in_words(plan.witness, precision, plan.tolerance);
   }
   reference.error = stated(largest_errors(reference.checkpoints, witness, true));

@@ -208,6 +208,32 @@ double writing_seconds(const Scenario& scenario) {
   return (scenario.ledger ? 2 : 1) * seconds_a_row * scenario.duration_s / scenario.output_step_s;
 }
 
+RunSize expected_size(const Scenario& scenario) {
+  // As measured with 1e5 to 1e6 rows; the rest is the program, and the files beside the rows.
+  struct BytesARow {
+    double memory, of_ledger, trajectory, torques;
+  };
+  const bool on_table = scenario.contact.has_value();
+  const BytesARow row = [&]() -> BytesARow {
+    switch (scenario.precision) {
+      case Precision::bits53: return on_table ? BytesARow{2400, 150, 870, 490} : BytesARow{1130, 150, 550, 330};
+      case Precision::bits64: return on_table ? BytesARow{4600, 1300, 1010, 560} : BytesARow{2300, 1300, 630, 370};
+      case Precision::bits113: break;
+    }
+    return on_table ? BytesARow{4500, 1300, 1600, 980} : BytesARow{2200, 1300, 1000, 640};
+  }();
+  constexpr double kProgram = 2.2e7, kOtherFiles = 4e4;
+  const double rows = scenario.duration_s / scenario.output_step_s + 1;
+  return {kProgram + rows * (row.memory + (scenario.ledger ? row.of_ledger : 0)),
+          kOtherFiles + rows * (row.trajectory + (scenario.ledger ? row.torques : 0))};
+}
+
+std::string bytes_text(double bytes) {
+  constexpr double kMega = 1e6, kGiga = 1e9;
+  if (bytes < 0.095 * kMega) return "less than 0.1 MB";
+  return bytes < 0.995 * kGiga ? fmt::format("{:.2g} MB", bytes / kMega) : fmt::format("{:.2g} GB", bytes / kGiga);
+}
+
 std::string write_results(const RunResult& result, const fs::path& dir, bool force, const Watch& watch) {
   return write_set(dir, result.scene, force, watch, [&](SealedSet& set) {
     set.add(kRowTable,

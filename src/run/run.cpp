@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/run.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,7 +12,9 @@
 #include <utility>
 
 #include "earthtop/arithmetic.hpp"
+#include "earthtop/error.hpp"
 #include "run/assemble.hpp"
+#include "run/verdict.hpp"
 #include "scene/second_integration.hpp"
 
 namespace earthtop {
@@ -128,10 +132,69 @@ RunResult run_once(const Scene& scene, const RunOptions& options) {
   return run_in<double>(scene, options);
 }
 
+/// The method that is tried where the one that "auto" chose ends without a drift that can be trusted; none where there is no other.
+std::optional<Method> other_method(Method chosen) {
+  switch (chosen) {
+    case Method::long_horizon:
+    case Method::closed_form: return Method::taylor;
+    case Method::taylor: return Method::dop853;
+    case Method::dop853: return Method::extrapolation;
+    default: return std::nullopt;
+  }
+}
+
+/// Whether another method could do better: nothing after the release is trusted, and it is not the motion that is to blame.
+bool is_worth_another(const RunResult& result) {
+  if (result.scene.rotation_rate_rad_s() == 0 || result.status == RunStatus::interrupted) return false;
+  if (const DriftRow* row = last_reliable_row(result); row != nullptr && row->t_s > 0) return false;
+  const Method chosen = result.solution.method;
+  // A drift below the noise of a series is below that of its neighbours, too; the bounds of the other two are wider.
+  const bool is_wide = chosen == Method::long_horizon || chosen == Method::closed_form;
+  return result.status != RunStatus::completed || (is_wide && result.verdict.verdict == Verdict::noise_floor);
+}
+
+/// The scene with the other method, if that is affordable.   @param most_seconds  that it may take by its estimate
+std::optional<Scene> with_other_method(const Scene& scene, double most_seconds) {
+  const std::optional<Method> method = other_method(scene.choice().options.method);
+  if (scene.scenario().numerics.method != Method::automatic || !method || scene.method_refusal(*method)) return std::nullopt;
+  Scenario scenario = scene.scenario();
+  scenario.numerics.method = *method;
+  Scene other = resolve(std::move(scenario));
+  try {
+    other.require_affordable();
+  } catch (const ScenarioError&) {
+    return std::nullopt;
+  }
+  if (!(other.estimate().seconds.all() <= most_seconds)) return std::nullopt;
+  return other;
+}
+
+/// Runs a scene, and once more by another method where the one chosen ends without a drift that can be trusted.
+RunResult run_or_try_another(const Scene& scene, const RunOptions& options) {
+  RunResult result = run_once(scene, options);
+  if (!is_worth_another(result)) return result;
+  constexpr double kTimes = 5, kLeast_s = 0.1;  // a run may take ten times its estimate
+  const auto other = with_other_method(scene, kTimes * std::max(kLeast_s, scene.estimate().seconds.all()));
+  if (!other) return result;
+  RunOptions again = options;
+  again.watch = options.watch.part(1, 1);
+  RunResult second = run_once(*other, again);
+  if (second.status == RunStatus::interrupted) return second;
+  const DriftRow* row = last_reliable_row(second);
+  if (row == nullptr || !(row->t_s > 0)) {
+    result.notes.push_back(fmt::format("{} was tried as well: no drift by it can be trusted either", to_string(second.solution.method)));
+    return result;
+  }
+  second.notes.push_back(fmt::format("{}, which \"auto\" chooses here, was tried first: no drift by it can be trusted",
+                                     to_string(result.solution.method)));
+  second.solution.reason = "the method that was tried first has no drift that can be trusted";
+  return second;
+}
+
 /// Runs a scene until the requested accuracy is reached. If method and tolerance are free, it starts at the loosest tolerance
 /// that may suffice and tries finer ones. @param left_out_rad  error due to the effects left out (rad)
 RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOptions& options) {
-  if (!scene.scenario().accuracy_rad) return run_once(scene, options);
+  if (!scene.scenario().accuracy_rad) return run_or_try_another(scene, options);
   constexpr double kLoosest = 1e-6, kFiner = 1e-3;
   constexpr int kAttempts = 4;
   Scenario scenario = scene.scenario();

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command_line.hpp"
+#include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
@@ -55,7 +56,9 @@ std::string verdict(const CheckedFile& checked) {
     text +=
         fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
                     output_times(scenario.duration_s, scenario.output_step_s).size(), report.scene->estimate().solution.steps);
-    text += ", " + about_seconds(estimated_run_seconds(*report.scene));
+    const RunSize size = expected_size(scenario);
+    text += fmt::format(", {}, {} of memory, {} of files", about_seconds(estimated_run_seconds(*report.scene)),
+                        bytes_text(size.memory_bytes), bytes_text(size.file_bytes));
   }
   if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
   return text + '\n';
@@ -87,6 +90,13 @@ void report_json(const std::vector<CheckedFile>& files) {
     scenario ? entry.put("name", scenario->name) : entry.put_null("name");
     entry.put("errors", checked.report.error_count).put("warnings", checked.report.warnings.size());
     checked.report.scene ? entry.put_json("top", top_json(*checked.report.scene)) : entry.put_null("top");
+    if (checked.report.scene) {
+      const RunSize size = expected_size(*scenario);
+      entry.put("seconds", estimated_run_seconds(*checked.report.scene));
+      entry.put("memory_bytes", size.memory_bytes).put("file_bytes", size.file_bytes);
+    } else {
+      entry.put_null("seconds").put_null("memory_bytes").put_null("file_bytes");
+    }
     list.push_back(std::move(entry));
     for (const Diagnostic& error : checked.report.errors) errors.push_back(diagnostic_json(checked.file, error));
     for (const Diagnostic& warning : checked.report.warnings) warnings.push_back(diagnostic_json(checked.file, warning));
@@ -119,9 +129,8 @@ Verb describe_check() {
   add_set_option(check, arguments->sets);
   check.describe(
       "Reads every file as run does. Lists everything that is wrong in it, each error with line, column and JSON pointer, and "
-      "warns of values that are hardly what was meant. For a valid file it prints how many rows a run would have and how long "
-      "it "
-      "would take; for a single one, it also prints the mass, the centre of mass and the moments of the top, how fast it "
+      "warns of values that are hardly what was meant. For a valid file it prints how many rows a run would have, how long "
+      "it would take, and how much memory and disk; for a single one, it also prints the mass, the centre of mass and the moments of the top, how fast it "
       "precesses and nutates, and how its spin compares with the critical one.");
   check.example("earthtop check toy-top.json", "checks a file and prints the figures of its top");
   check.example("earthtop check *.json --quiet", "checks all files of a directory, and prints nothing but errors");

@@ -84,7 +84,8 @@ struct BenchOptions {
   double least_seconds = 5e-3;     ///< within one repetition a contender is run again and again until this time has passed
   double most_seconds = 1;         ///< for one contender: limit of its first call, and of its repetitions together
   std::size_t checkpoints = 60;    ///< number of equal parts of the duration, at whose ends errors are taken
-  double reference_seconds = 1e9;  ///< if a reference of 113 bits is estimated to take longer, one of 64 bits is used
+  double reference_seconds = 1e9;  ///< if a reference of 113 bits is estimated to take longer, one of 64 bits is used; either is
+                                   ///< given up after ten times as long, and not before 10 s
   /// Called with a description of what is computed next: the reference, contender k of n, repetition k of n. May be empty.
   std::function<void(const std::string&)> progress;
 };
@@ -108,9 +109,9 @@ std::vector<Contender> standard_contenders(const Scene& scene, Workload workload
 /// the method that is cheapest there. The witness is the closed form if both motions have one; otherwise another method in
 /// another observer's variables, in the other form if the scene has two.
 /// @param times_s  checkpoints, beginning with 0 (s)   @param precision  bits113 or bits64
-/// @throws std::runtime_error if an integration is not completed
+/// @param watch  may end it early   @throws std::runtime_error if an integration is not completed
 CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s,
-                                       Precision precision = Precision::bits113);
+                                       Precision precision = Precision::bits113, const Watch& watch = {});
 
 /// The estimated time for the reference on one core (s), within a factor of a few.
 double estimated_reference_seconds(const Scene& scene, Precision precision);

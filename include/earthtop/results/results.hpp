@@ -87,6 +87,14 @@ void write_results(const ResultTexts& texts, const Scene& scene, const std::file
 /// The approximate cost of writing, in the seconds of `estimated_seconds`.
 double writing_seconds(const Scenario& scenario);
 
+/// What a run needs at its most, and what it writes: the process's memory, and all files together (bytes). Within a factor of 1.5.
+struct RunSize {
+  double memory_bytes = 0, file_bytes = 0;
+};
+RunSize expected_size(const Scenario& scenario);
+/// A size as a text, e.g. "2.3 GB" or "23 MB".
+std::string bytes_text(double bytes);
+
 /// A document of `compare`, `plan` or `bench --json` that was changed, with the checksum that fits it.
 /// @param document  a JSON object
 std::string resealed(std::string_view document);

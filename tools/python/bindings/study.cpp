@@ -79,7 +79,7 @@ void bind_study(py::module_& module) {
   module.def(
       "study_note",
       [](const fs::path& given) {
-        return result_of(py::none(), [&](const Watch&) { return check_study_store(store_of(given)).note; });
+        return result_of(py::none(), [&](const Watch&) { return check_study_store(store_at(given)).note; });
       },
       py::arg("store"), "A sentence on a store that has no checksums; empty where it has some.");
 }
