@@ -164,10 +164,10 @@ expect 0 run top.json --out link --quiet
 [ -L link ] && [ -s place/summary.json ] || fault "a link to a directory was not followed"
 ln -s nowhere dangling
 ln -s circle circle
-for link in dangling circle; do
-  expect 2 run top.json --out "$link"
-  on_stderr "$link: error: is a link that does not lead to a directory; "
-done
+expect 2 run top.json --out dangling
+on_stderr "dangling: error: is a link that does not lead to a directory; "
+expect 2 run top.json --out circle
+on_stderr "circle: error: cannot be examined (Too many levels of symbolic links); "
 [ ! -e nowhere ] || fault "a dangling link was followed"
 echo precious >precious
 for file in trajectory.csv summary.json; do ln -sf "$work/precious" "place/$file"; done

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Puts a special file in the place of every file that a verb reads, and lets reads of a store fail.
 
-usage: special_files_attack.py PROGRAM [--seed N] [--jobs N] [--only TEXT] [--shim LIBRARY]
+usage: special_files_test.py PROGRAM [--seed N] [--jobs N] [--only TEXT] [--shim LIBRARY]
 
 Nothing is waited for: within two seconds the program ends with status 2 and names the file. The doors are those of doors_test.py
 and those of a store. With --shim, the library of tests/faults, the calls with which `study --repair` reads an intact store fail one

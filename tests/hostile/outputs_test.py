@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Puts something in the way of every output of every verb, and checks what becomes of it.
 
-usage: outputs_attack.py PROGRAM [--seed N] [--jobs N] [--only TEXT]
+usage: outputs_test.py PROGRAM [--seed N] [--jobs N] [--only TEXT]
 
 A kind is a state of an output's place. Without --force, what earthtop did not write as it is there is refused with status 2, before
 any work; what it wrote is replaced; --force overwrites files, but no input, directory or link. A command with several outputs that
