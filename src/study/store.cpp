@@ -2,6 +2,7 @@
 #include "study/store.hpp"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <bit>
 #include <charconv>
@@ -242,6 +243,8 @@ std::string Store::contents_text(const Contents& contents) const {
 }
 
 std::string Store::fault_of_file() {
+  if (sqlite3_db_readonly(connection_->get(), "main") == 1 && ::access(file_.c_str(), W_OK) == 0)
+    return "its head says that nothing can be written to it";
   if (input::type_of(file_.string() + "-wal") != input::PathType::nothing) return "";  // the file is not all of the store
   sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   const std::uintmax_t size = std::filesystem::file_size(file_);
@@ -280,6 +283,7 @@ StoreCheck Store::check() {
         connection_->require_read();
         check.fault = "its pages are not in order";
       }
+      if (check.fault.empty()) check.fault = fault_of_file();
       if (check.fault.empty()) check.fault = fault_of_numbers();
       if (check.fault.empty()) check.fault = fault_of_values();
       check.intact = count();

@@ -151,8 +151,13 @@ ResultFiles with_checksums(ResultFiles files) {
   return files;
 }
 
+ResultFiles results_of(const ScenarioSource& scenario, const Sets& sets) {
+  const testing::TemporaryDirectory directory;
+  write_results(run(parse_scenario(scenario, sets)), directory.path() / "results", false);
+  return files_in(directory.path() / "results");
+}
+
 std::vector<ResultFiles> results_of_many_kinds() {
-  using Sets = std::vector<std::pair<std::string, std::string>>;
   const std::vector<std::pair<std::string, Sets>> runs = {
       {"hard/k12-toy-top-stops.json", {}},
       {"hard/k12-tippe-top-stops.json", {}},
@@ -161,11 +166,7 @@ std::vector<ResultFiles> results_of_many_kinds() {
       {"toy-top.json",
        {{"/motion/duration_s", "0.02"}, {"/motion/output_step_s", "0.01"}, {"/numerics/precision", "float128"}}}};
   std::vector<ResultFiles> kinds;
-  for (const auto& [file, sets] : runs) {
-    const testing::TemporaryDirectory directory;
-    write_results(run(parse_scenario({file, shipped(file), false}, sets)), directory.path() / "results", false);
-    kinds.push_back(files_in(directory.path() / "results"));
-  }
+  for (const auto& [file, sets] : runs) kinds.push_back(results_of({file, shipped(file), false}, sets));
   return kinds;
 }
 

@@ -23,7 +23,10 @@ ResultFiles result_files_in(std::string_view input);
 void put(const ResultFiles& files, const std::filesystem::path& directory);
 /// The same with the checksums that documents would have been written with.
 ResultFiles with_checksums(ResultFiles files);
-/// The results, without their checksums, of runs whose pages differ in what they show.
+/// The results, without their checksums, of a run.
+using Sets = std::vector<std::pair<std::string, std::string>>;
+ResultFiles results_of(const ScenarioSource& scenario, const Sets& sets);
+/// The same of runs whose pages differ in what they show.
 std::vector<ResultFiles> results_of_many_kinds();
 
 class Fixture {

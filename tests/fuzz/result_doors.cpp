@@ -124,7 +124,8 @@ std::vector<std::string> results_seeds() {
   const ResultFiles bare = Fixture::get().result_files();
   ResultFiles few = bare;
   few.torques.clear(), few.timing.clear();
-  std::vector<std::string> seeds = {input_of(bare), input_of(few), input_of(with_checksums(bare))};
+  const ResultFiles shorter = results_of(Fixture::get().scenario(), {{"/motion/duration_s", "0.3"}});
+  std::vector<std::string> seeds = {input_of(bare), input_of(few), input_of(with_checksums(bare)), input_of(shorter)};
   for (const ResultFiles& files : results_of_many_kinds()) seeds.push_back(input_of(files));
   return seeds;
 }
