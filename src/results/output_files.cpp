@@ -215,7 +215,6 @@ void OutputFiles::require_apart(const Output& output) const {
     if (other.get() == &output) break;
     const std::string there = place_of(other->file.path);
     if (there != place && !place.starts_with(there + "/") && !there.starts_with(place + "/")) continue;
-    if (other->file.option == output.file.option) refuse_output(output.file.path, "is named twice; give two names");
     refuse_output("", fmt::format("{} and {} name the same file; give two", other->file.option, output.file.option));
   }
   for (const std::string& input : inputs_) {

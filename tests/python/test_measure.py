@@ -239,7 +239,7 @@ def test_pictures_pages_and_pickles(program, top, data, tmp_path):
         again = pickle.loads(pickle.dumps(one))
         assert (again.text, again.svg, repr(again)) == (one.text, one.svg, repr(one))
         page = et.report(one, tmp_path / "page.html")
-        file = one.save(tmp_path / "document.json")
+        file = one.save(tmp_path / "document.json", force=True)
         subprocess.run([program, "report", file, "--quiet"], check=True)
         assert page.read_text() == (tmp_path / "document.html").read_text()
         assert 'src="data:image/svg+xml;base64,' in one._repr_html_()

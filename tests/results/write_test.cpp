@@ -63,6 +63,33 @@ TEST_F(Write, MakesTheDirectoryAndEveryFile) {
   EXPECT_EQ(read(dir_ / "drift.svg"), svg(drift_figure(result)));
 }
 
+// What is asked for is said of a run that nobody has made: the sizes are those of runs of 1e5 rows and more.
+TEST_F(Write, SizesOfRunsAreSaidInAdvance) {
+  Scenario scenario = made_up_run().scene.scenario();
+  scenario.precision = Precision::bits53, scenario.ledger.reset(), scenario.contact.reset();
+  scenario.duration_s = 2000, scenario.output_step_s = 1e-3;
+  const RunSize two_million_rows = expected_size(scenario);  // 2 GB of memory and 1.07 GB of files, as measured
+  EXPECT_GT(two_million_rows.memory_bytes, 2e9 / 1.5);
+  EXPECT_LT(two_million_rows.memory_bytes, 2e9 * 1.5);
+  EXPECT_NEAR(two_million_rows.file_bytes, 1.07e9, 0.1e9);
+  EXPECT_EQ(bytes_text(two_million_rows.file_bytes), "1.1 GB");
+  scenario.duration_s = 1e-3;
+  EXPECT_EQ(bytes_text(expected_size(scenario).file_bytes), "less than 0.1 MB");
+  EXPECT_EQ(bytes_text(expected_size(scenario).memory_bytes), "22 MB");
+}
+
+TEST_F(Write, ADirectoryIsNoFile) {
+  std::filesystem::create_directories(dir_ / "there");
+  try {
+    write_file(dir_ / "there", "text");
+    FAIL() << "a directory was written to";
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find("is not the name of a file, or something other than a file has that name; give a file"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(Write, SameScenarioIsOverwritten) {
   write_results(made_up_run(), dir_, false);
   RunResult again = made_up_run();

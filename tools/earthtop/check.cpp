@@ -56,11 +56,13 @@ std::string verdict(const CheckedFile& checked) {
     text +=
         fmt::format("ok, \"{}\", {} rows, about {:.1g} steps", scenario.name,
                     output_times(scenario.duration_s, scenario.output_step_s).size(), report.scene->estimate().solution.steps);
-    const RunSize size = expected_size(scenario);
-    text += fmt::format(", {}, {} of memory, {} of files", about_seconds(estimated_run_seconds(*report.scene)),
-                        bytes_text(size.memory_bytes), bytes_text(size.file_bytes));
+    text += ", " + about_seconds(estimated_run_seconds(*report.scene));
   }
   if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
+  if (report.scene) {
+    const RunSize size = expected_size(*report.scenario);
+    text += fmt::format("\n  {} of memory, {} of files", bytes_text(size.memory_bytes), bytes_text(size.file_bytes));
+  }
   return text + '\n';
 }
 

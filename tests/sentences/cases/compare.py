@@ -620,10 +620,12 @@ OF_OPTIONS = [
     *[case for option in ("--estimate spin_rad_s", "--set /site/latitude_deg=1") for case in told(
         "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file", both(), 2,
         command=f"{PAIR} {option}")],
-    *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors", "--force") for case in told(
-        "--write-scenario, --correlation-time, --priors and --force belong to a measurement, where REFERENCE is a scenario and "
-        "NEW a "
-        "CSV file", both(), 2, command=f"{PAIR} {option}")],
+    *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors") for case in told(
+        "--write-scenario, --correlation-time and --priors belong to a measurement, where REFERENCE is a scenario and NEW a CSV file",
+        both(), 2, command=f"{PAIR} {option}")],
+    *told("pictures/: error: is not the name of a file; give the name of a file", both(), 2, command=PAIR + " --svg pictures/"),
+    *told("error: is not a directory; give the name of a file in one", both(), 2,
+          command=PAIR + " --svg new/summary.json/x.svg"),
     *told("--reason belongs to --update, which writes a new reference", both(), 2, command=PAIR + " --reason better"),
     *told("--allow-change numerics: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it", both(), 2,
           command=PAIR + " --allow-change numerics"),
