@@ -35,17 +35,26 @@ std::string checksum_of_file(const std::filesystem::path& file) {
   return checksum_text(checksum.value());
 }
 
+/// A document up to its last member.
+std::string without_end(std::string_view document) {
+  const std::size_t brace = document.rfind('}');
+  const std::size_t last = brace == document.npos ? brace : document.find_last_not_of(" \t\r\n", brace - 1);
+  return std::string(document.substr(0, last == document.npos ? 0 : last + 1));
+}
+
 }  // namespace
 
 std::string sealed(std::string_view document) {
-  std::string text(document.substr(0, document.size() - kEnd.size()));
+  std::string text = without_end(document);
+  if (text.ends_with('{')) return std::string(document);
   text.append(kBefore).append(kZeros).append("\"").append(kEnd);
   const std::string checksum = checksum_text(checksum_of(text));
   return text.replace(text.size() - kEnd.size() - 1 - kZeros.size(), kZeros.size(), checksum);
 }
 
 std::string sealed(std::string_view document, const FileChecksums& files) {
-  std::string text(document.substr(0, document.size() - kEnd.size()));
+  std::string text = without_end(document);
+  if (text.ends_with('{')) return std::string(document);
   text += kBeforeFiles;
   for (std::size_t i = 0; i < files.size(); ++i)
     text += fmt::format("{}\n    \"{}\": \"{}\"", i > 0 ? "," : "", files[i].first, files[i].second);

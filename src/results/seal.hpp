@@ -15,7 +15,7 @@ namespace earthtop {
 using FileChecksums = std::vector<std::pair<std::string, std::string>>;
 
 /// Adds a last member "checksum" to a JSON document: that of the document's bytes with zeros for the checksum's digits.
-/// @param document  an object that is not empty, written with an indent of two and a final newline
+/// @param document  an object; an empty one stays as it is
 std::string sealed(std::string_view document);
 /// Adds a member "files" with the checksums of files, and then the document's own.
 std::string sealed(std::string_view document, const FileChecksums& files);

@@ -82,6 +82,12 @@ void append(std::string& bytes, const Value& value) {
   if (const auto* word = std::get_if<std::string>(&value)) append(bytes, std::string_view(*word));
 }
 
+/// Whether a file that can be written to says that it must not be, as a flipped bit in its head does.
+bool forbids_writing(sqlite::Connection& connection, const std::filesystem::path& file) {
+  return sqlite3_db_readonly(connection.get(), "main") == 1 && ::access(file.c_str(), W_OK) == 0;
+}
+constexpr const char* kForbidsWriting = "its head says that nothing may be written to it";
+
 /// Makes SQLite write changes to a log first: readers see whole transactions only, and a kill loses no committed one.
 void set_up(sqlite::Connection& connection) {
   connection.execute("PRAGMA journal_mode = WAL");
@@ -189,6 +195,8 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   if (is_damaged)
     refuse_store(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
   if (facts["format"] != kFormat) refuse_store(file, "is not a study's store of this version");
+  if (mode == sqlite::Connection::Mode::write && forbids_writing(*connection, file))
+    refuse_store(file, fmt::format("is damaged: {}{}", kForbidsWriting, kRepairStore));
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
   Study study = study_in(facts, file);
@@ -243,8 +251,7 @@ std::string Store::contents_text(const Contents& contents) const {
 }
 
 std::string Store::fault_of_file() {
-  if (sqlite3_db_readonly(connection_->get(), "main") == 1 && ::access(file_.c_str(), W_OK) == 0)
-    return "its head says that nothing can be written to it";
+  if (forbids_writing(*connection_, file_)) return kForbidsWriting;
   if (input::type_of(file_.string() + "-wal") != input::PathType::nothing) return "";  // the file is not all of the store
   sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   const std::uintmax_t size = std::filesystem::file_size(file_);

@@ -48,6 +48,17 @@ TEST(SealOfADocument, IsBrokenByEveryFlippedBit) {
   EXPECT_EQ(seal_of(""), Seal::absent);
 }
 
+// A document that somebody wrote anew, before it was read and copied.
+TEST(SealOfADocument, KeepsADocumentOfAnyLayout) {
+  for (const char* text : {"{\"a\": {\"b\": 1}}", "{\"a\": {\"b\": 1} } \n", "{\n  \"a\": {\n    \"b\": 1\n  }\n}\n"})
+    for (const std::string& document : {sealed(text), sealed(text, {{"b.csv", "0011223344556677"}})}) {
+      EXPECT_EQ(seal_of(document), Seal::fits) << document;
+      EXPECT_EQ(testing::parse_json(unsealed(document)), testing::parse_json(text)) << document;
+    }
+  EXPECT_EQ(sealed("{}\n"), "{}\n");
+  EXPECT_EQ(sealed("{}\n", {{"b.csv", "0011223344556677"}}), "{}\n");
+}
+
 class Damage : public ::testing::Test {
  protected:
   static std::string read(const fs::path& path) {

@@ -129,6 +129,39 @@ TEST_F(StoreDamage, IsRepairedAlsoWhereTheFileIs) {
   }
 }
 
+TEST_F(StoreDamage, IsSeenInAHeadThatForbidsWriting) {
+  const std::string expected = csv();
+  std::string bad = read(store_);
+  constexpr std::size_t kWriteVersion = 18;  // SQLite writes to no file whose number here is not 1 or 2
+  bad[kWriteVersion] = '\x4b';
+  put(bad);
+  const std::string words = "its head says that nothing may be written to it";
+  EXPECT_NE(check_study_store(store_).damage.find(words), std::string::npos) << check_study_store(store_).damage;
+  try {
+    run_study(study_, options_);
+    FAIL() << "the store was written to";
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+  options_.repair = true;
+  EXPECT_EQ(run_study(study_, options_).progress.done, 0U) << "the points themselves are intact";
+  EXPECT_EQ(csv(), expected);
+}
+
+TEST_F(StoreDamage, IsSeenInAPointThatItsStudyHasNot) {
+  const auto damage = [&] { return check_study_store(store_).damage; };
+  execute("ALTER TABLE point DROP COLUMN row_checksum");
+  execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')");
+  ASSERT_EQ(damage(), "");
+  for (const char* number : {"-1", "20", "9223372036854775807"}) {
+    execute((std::string("UPDATE point SET number = ") + number + " WHERE number NOT BETWEEN 0 AND 18").c_str());
+    EXPECT_NE(damage().find(std::string("it has a point numbered ") + number + ", but its study has the points 0 to 19"),
+              std::string::npos)
+        << damage();
+    EXPECT_THROW(make_report(directory_.path()), ScenarioError);
+  }
+}
+
 TEST_F(StoreDamage, PointsOfAnotherStudyAreNotTakenForThisOnes) {
   execute("UPDATE study SET value = replace(value, '0.2', '0.3') WHERE key = 'study'");
   EXPECT_THROW(check_study_store(store_), ScenarioError);
