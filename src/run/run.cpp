@@ -182,7 +182,8 @@ RunResult run_or_try_another(const Scene& scene, const RunOptions& options) {
   if (second.status == RunStatus::interrupted) return second;
   const DriftRow* row = last_reliable_row(second);
   if (row == nullptr || !(row->t_s > 0)) {
-    result.notes.push_back(fmt::format("{} was tried as well: no drift by it can be trusted either", to_string(second.solution.method)));
+    result.notes.push_back(
+        fmt::format("{} was tried as well: no drift by it can be trusted either", to_string(second.solution.method)));
     return result;
   }
   second.notes.push_back(fmt::format("{}, which \"auto\" chooses here, was tried first: no drift by it can be trusted",

@@ -84,8 +84,9 @@ TEST_F(Write, ADirectoryIsNoFile) {
     write_file(dir_ / "there", "text");
     FAIL() << "a directory was written to";
   } catch (const ScenarioError& error) {
-    EXPECT_NE(std::string(error.what()).find("is not the name of a file, or something other than a file has that name; give a file"),
-              std::string::npos)
+    EXPECT_NE(
+        std::string(error.what()).find("is not the name of a file, or something other than a file has that name; give a file"),
+        std::string::npos)
         << error.what();
   }
 }

@@ -132,7 +132,8 @@ Verb describe_check() {
   check.describe(
       "Reads every file as run does. Lists everything that is wrong in it, each error with line, column and JSON pointer, and "
       "warns of values that are hardly what was meant. For a valid file it prints how many rows a run would have, how long "
-      "it would take, and how much memory and disk; for a single one, it also prints the mass, the centre of mass and the moments of the top, how fast it "
+      "it would take, and how much memory and disk; for a single one, it also prints the mass, the centre of mass and the "
+      "moments of the top, how fast it "
       "precesses and nutates, and how its spin compares with the critical one.");
   check.example("earthtop check toy-top.json", "checks a file and prints the figures of its top");
   check.example("earthtop check *.json --quiet", "checks all files of a directory, and prints nothing but errors");

@@ -81,11 +81,12 @@ std::string_view to_string(ErrorKind kind);
 struct BenchOptions {
   std::optional<ErrorKind> compared;  ///< default: the workload's; the attitude's if there is no drift
   int repetitions = 5;
-  double least_seconds = 5e-3;     ///< within one repetition a contender is run again and again until this time has passed
-  double most_seconds = 1;         ///< for one contender: limit of its first call, and of its repetitions together
-  std::size_t checkpoints = 60;    ///< number of equal parts of the duration, at whose ends errors are taken
-  double reference_seconds = 1e9;  ///< if a reference of 113 bits is estimated to take longer, one of 64 bits is used; either is
-                                   ///< given up after ten times as long, and not before 10 s
+  double least_seconds = 5e-3;   ///< within one repetition a contender is run again and again until this time has passed
+  double most_seconds = 1;       ///< for one contender: limit of its first call, and of its repetitions together
+  std::size_t checkpoints = 60;  ///< number of equal parts of the duration, at whose ends errors are taken
+  double reference_seconds =
+      1e9;  ///< if a reference of 113 bits is estimated to take longer, one of 64 bits is used; either is
+            ///< given up after ten times as long, and not before 10 s
   /// Called with a description of what is computed next: the reference, contender k of n, repetition k of n. May be empty.
   std::function<void(const std::string&)> progress;
 };
