@@ -97,7 +97,7 @@ std::string headline_html(const Run& run) {
              at = run.number("/drift/reliable/at_s");
   if (!drift || !bound || !at || !(*at > 0)) return "No row of this run can be trusted.";
   std::string tip;
-  if (run.has_contact && *at == run.listed.rows.back().t_s) {
+  if (run.has_contact && !run.listed.rows.empty() && *at == run.listed.rows.back().t_s) {
     const double far = value(run.listed.rows.back(), column("drift_tip_m")),
                  error = value(run.listed.rows.back(), column("drift_tip_bound_m"));
     if (std::isfinite(far)) tip = ", and the tip " + known_html(far, error, length_unit(far)) + " from there";
