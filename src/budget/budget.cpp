@@ -19,7 +19,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kTolerance = 1e-4;     // tolerance of the variations: a few digits of a budget suffice
+constexpr double kTolerance = 1e-7;     // tolerance of the variations: a few digits of a budget suffice
 constexpr double kFollowedPhase = 1e5;  // phase of the fastest rate (rad); takes some ten seconds
 constexpr double kBeforeFrictionStops = 0.9;
 

