@@ -19,7 +19,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kTolerance = 1e-7;     // tolerance of the variations: a few digits of a budget suffice
+constexpr double kTolerance = 1e-9;     // tolerance of the variations: a few digits, also of what friction leaves of a drift
 constexpr double kFollowedPhase = 1e5;  // phase of the fastest rate (rad); takes some ten seconds
 constexpr double kBeforeFrictionStops = 0.9;
 
@@ -303,10 +303,8 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
                     completed ? "dry friction has no direction at rest" : to_string(up.drift.status)));
   if (scene.rotation_rate_rad_s() == 0)
     budget.inputs_unavailable = "the Earth does not turn, so that there is no effect to see";
-  else if (!known)
+  else if (!known || up.inputs_status != RunStatus::completed)
     budget.inputs_unavailable = "the drift is not known";
-  else if (up.inputs_status != RunStatus::completed)
-    budget.inputs_unavailable = fmt::format("their integration ended with {}", to_string(up.inputs_status));
   else
     add_inputs(prepared.inputs, std::span(up.drift.responses).subspan(candidates.size()), later, drift_later, budget);
   return budget;

@@ -325,12 +325,10 @@ BUDGET = [
          unless={"/effects/viscous_torque_N_m_s": 1e-7}, holds=lambda text: max(sizes(text)) > 1),
     explain("which is larger", unless={"/effects/centrifugal": False}, holds=is_larger),
     explain("Drift by the Earth's rotation after 1 s: not known", set={**FELL, "/effects/coulomb_torque_N_m": 1e-3},
-            unless={"/effects/coulomb_torque_N_m": 1e-9},
+            unless={"/effects/coulomb_torque_N_m": 1e-2},
             holds=lambda text: "Inputs: the drift is not known" in text and "in proportion to time" not in text),
     explain("the motion could be followed for 0.08923 s only (step_underflow), so that the drifts are not known",
             set={**FELL, "/effects/coulomb_torque_N_m": 1e-3}, unless={"/effects/coulomb_torque_N_m": 3e-3}),
-    explain("Inputs: their integration ended with step_underflow", set={**FELL, "/effects/coulomb_torque_N_m": 3e-3},
-            unless={"/effects/coulomb_torque_N_m": 1e-2}),
     # A pendulum is released at rest.
     explain("the motion could be followed for 0 s only (dry friction has no direction at rest), so that the drifts are not known",
             "foucault-pendulum", set={"/effects/coulomb_torque_N_m": 1e-6}, unless={"/effects/coulomb_torque_N_m": 0}),
