@@ -89,7 +89,7 @@ double number_or_nan(const Json& json) {
 std::string_view quantity_named(const std::string& name) {
   for (const std::string_view known : {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt"})
     if (known == name) return known;
-  throw type_error("not a measured quantity: " + name);
+  refuse_value("not a measured quantity: " + name);
 }
 
 }  // namespace

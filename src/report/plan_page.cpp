@@ -18,7 +18,7 @@ std::optional<double> number_in(const Json& value) {
 PlanReport pictured(const Json& document) {
   PlanReport report;
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
-  if (document.at("estimates").empty()) throw type_error("a plan has an estimate");
+  if (document.at("estimates").empty()) refuse_value("a plan has an estimate");
   for (const Json& estimate : document.at("estimates"))
     report.estimates.push_back({estimate.at("name").get<std::string>(),
                                 estimate.at("unit").get<std::string>(),

@@ -14,6 +14,7 @@
 #include "report/pages.hpp"
 #include "results/number_ranges.hpp"
 #include "results/seal.hpp"
+#include "text/json.hpp"
 
 namespace earthtop {
 namespace report {

@@ -17,6 +17,7 @@
 #include "input/csv_reader.hpp"
 #include "input/document.hpp"
 #include "input/file.hpp"
+#include "results/columns.hpp"
 #include "results/csv.hpp"
 #include "results/file_set.hpp"
 #include "results/number_ranges.hpp"

@@ -82,9 +82,15 @@ void append(std::string& bytes, const Value& value) {
   if (const auto* word = std::get_if<std::string>(&value)) append(bytes, std::string_view(*word));
 }
 
-/// Whether a file that can be written to says that it must not be, as a flipped bit in its head does.
-bool forbids_writing(sqlite::Connection& connection, const std::filesystem::path& file) {
-  return sqlite3_db_readonly(connection.get(), "main") == 1 && ::access(file.c_str(), W_OK) == 0;
+/// Whether a store's head says that nothing may be written to it, as a flipped bit there does. SQLite itself also opens a file for
+/// reading alone where it cannot open it for writing; that is no damage.
+bool forbids_writing(sqlite::Connection& connection) {
+  constexpr sqlite3_int64 kWriteVersion = 18;  // place in the head; 1 and 2 are known [SQLite, Database File Format, 1.3]
+  sqlite3_file* opened = nullptr;
+  unsigned char version = 0;
+  return sqlite3_db_readonly(connection.get(), "main") == 1 &&
+         sqlite3_file_control(connection.get(), "main", SQLITE_FCNTL_FILE_POINTER, &opened) == SQLITE_OK && opened != nullptr &&
+         opened->pMethods != nullptr && opened->pMethods->xRead(opened, &version, 1, kWriteVersion) == SQLITE_OK && version > 2;
 }
 constexpr const char* kForbidsWriting = "its head says that nothing may be written to it";
 
@@ -195,7 +201,7 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   if (is_damaged)
     refuse_store(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
   if (facts["format"] != kFormat) refuse_store(file, "is not a study's store of this version");
-  if (mode == sqlite::Connection::Mode::write && forbids_writing(*connection, file))
+  if (mode == sqlite::Connection::Mode::write && forbids_writing(*connection))
     refuse_store(file, fmt::format("is damaged: {}{}", kForbidsWriting, kRepairStore));
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
@@ -251,7 +257,7 @@ std::string Store::contents_text(const Contents& contents) const {
 }
 
 std::string Store::fault_of_file() {
-  if (forbids_writing(*connection_, file_)) return kForbidsWriting;
+  if (forbids_writing(*connection_)) return kForbidsWriting;
   if (input::type_of(file_.string() + "-wal") != input::PathType::nothing) return "";  // the file is not all of the store
   sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   const std::uintmax_t size = std::filesystem::file_size(file_);

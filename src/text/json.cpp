@@ -77,22 +77,24 @@ std::string written_replacing(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-Json::type_error type_error(const std::string& what) { return Json::type_error::create(kOwnTypeError, what, nullptr); }
+void refuse_value(const std::string& what) { throw Json::type_error::create(kOwnTypeError, what, nullptr); }
 
 std::uint64_t count_in(const Json& json) {
-  if (!json.is_number_unsigned()) throw type_error("not a whole number of at least 0");
+  if (!json.is_number_unsigned()) refuse_value("not a whole number of at least 0");
   return json.get<std::uint64_t>();
 }
 
-std::string complaint_of(const Json::exception& error) {
+std::string complaint_of(const std::exception& error) {
   const std::string what = error.what();  // "[json.exception.out_of_range.403] key 'drift' not found"
   const auto end = what.find("] ");
   const std::string said = end == what.npos ? "" : what.substr(end + 2);
   constexpr int kNoSuchKey = 403;
   const auto quote = said.find('\'');
-  if (error.id == kNoSuchKey) return "a member is missing: " + said.substr(quote + 1, said.rfind('\'') - quote - 1);
+  const auto* json = dynamic_cast<const Json::exception*>(&error);
+  const int id = json == nullptr ? 0 : json->id;
+  if (id == kNoSuchKey) return "a member is missing: " + said.substr(quote + 1, said.rfind('\'') - quote - 1);
   // Its own complaints of types are about C++; those that earthtop makes are whole sentences.
-  const bool is_own = error.id == kOwnTypeError && !said.starts_with("type must be");
+  const bool is_own = id == kOwnTypeError && !said.starts_with("type must be");
   return is_own ? said : "a value is of another kind, or a list has another length";
 }
 

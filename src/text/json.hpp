@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -24,15 +25,15 @@ std::string written(const nlohmann::ordered_json& json, int indent = -1);
 /// The same for strings that may hold anything: bytes that are not UTF-8 are replaced.
 std::string written_replacing(const nlohmann::ordered_json& json, int indent = -1);
 
-/// The error of a document whose value is not what it must be, to be thrown.
-nlohmann::ordered_json::type_error type_error(const std::string& what);
+/// Refuses a document whose value is not what it must be. @throws nlohmann::ordered_json::type_error
+[[noreturn]] void refuse_value(const std::string& what);
 
 /// A whole number that is not negative. @throws nlohmann::ordered_json::type_error for anything else: nlohmann's conversion of a
 /// number that is too large for an integer is undefined
 std::uint64_t count_in(const nlohmann::ordered_json& json);
 
 /// What an error of nlohmann's says, in words of a reader of the document.
-std::string complaint_of(const nlohmann::ordered_json::exception& error);
+std::string complaint_of(const std::exception& error);
 
 /// The number; null where there is none.
 nlohmann::ordered_json or_nothing(const std::optional<double>& number);

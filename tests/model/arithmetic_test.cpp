@@ -67,7 +67,7 @@ TEST(Arithmetic, StatesOfOneUnitAreFound) {
     expect_found("numbers are not rounded to nearest", set(mode));
   for (const unsigned exception : {_MM_MASK_INVALID, _MM_MASK_DIV_ZERO, _MM_MASK_OVERFLOW, _MM_MASK_INEXACT})
     expect_found("floating-point exceptions are trapped", [&] { _mm_setcsr(_mm_getcsr() & ~exception); });
-  const auto control = [](fpu_control_t without, fpu_control_t with) {
+  const auto control = [](int without, int with) {
     return [without, with] {
       fpu_control_t word;
       _FPU_GETCW(word);
@@ -75,9 +75,9 @@ TEST(Arithmetic, StatesOfOneUnitAreFound) {
       _FPU_SETCW(word);
     };
   };
-  for (const fpu_control_t digits : {_FPU_DOUBLE, _FPU_SINGLE})
+  for (const int digits : {_FPU_DOUBLE, _FPU_SINGLE})
     expect_found("long double is rounded to fewer digits than it has", control(_FPU_EXTENDED, digits));
-  for (const fpu_control_t mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO})
+  for (const int mode : {_FPU_RC_DOWN, _FPU_RC_UP, _FPU_RC_ZERO})
     expect_found("numbers are not rounded to nearest", control(0, mode));
   expect_found("floating-point exceptions are trapped", control(_FPU_MASK_ZM, 0));
 }

@@ -53,12 +53,12 @@ class TideSeries<real::Recorded<T>> {
   bool empty() const { return terms_.empty(); }
   Vec3<Scalar> acceleration_L(const Scalar& t) const {
     Vec3<Scalar> sum = Vec3<Scalar>::Zero();
-    for (const auto& [factor, tide] : terms_) {
+    for (const Term& term : terms_) {
       taylor::GivenFunction<T> function;
       function.components = 3;
-      function.expand = [tide](T at, std::span<std::array<T, 3>> rows) { tide.expand(at, rows); };
+      function.expand = [tide = term.tide](T at, std::span<std::array<T, 3>> rows) { tide.expand(at, rows); };
       const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
-      for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += factor * Scalar(*t.recording(), places[i]);
+      for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += term.factor * Scalar(*t.recording(), places[i]);
     }
     return sum;
   }
