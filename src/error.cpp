@@ -114,6 +114,10 @@ std::string format_diagnostic(std::string_view file, const Diagnostic& given, st
   return printable(text + diagnostic.message);
 }
 
+void refuse_file(const std::string& file, std::string why) {
+  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(why)}}, file);
+}
+
 std::string plain_words(const std::exception& error) {
   const auto is_own = [&]<class... Kinds>(std::type_identity<Kinds>...) {
     return ((dynamic_cast<const Kinds*>(&error) != nullptr) || ...);

@@ -35,6 +35,9 @@ class ScenarioError : public std::runtime_error {
   std::string file_;
 };
 
+/// Refuses a file or directory as a whole. @throws ScenarioError always
+[[noreturn]] void refuse_file(const std::string& file, std::string why);
+
 /// Thrown for a file that cannot be read or written although the request was valid: which file, and why.
 class FileError : public std::runtime_error {
  public:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "earthtop/bench/comparison.hpp"
+#include "earthtop/error.hpp"
 #include "earthtop/results/output_files.hpp"
 #include "results/file_set.hpp"
 
@@ -12,10 +13,6 @@ namespace earthtop {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& path, const char* reason) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", reason}}, path.string());
-}
 
 std::vector<std::string> file_names(std::span<const std::string> scenarios) {
   std::vector<std::string> names;
@@ -27,13 +24,14 @@ std::vector<std::string> file_names(std::span<const std::string> scenarios) {
 }  // namespace
 
 void check_bench_directory(const fs::path& dir, std::span<const std::string> scenarios, bool force) {
-  if (dir.empty()) refuse("--out", "the directory's name is empty; give a name");
+  if (dir.empty()) refuse_file("--out", "the directory's name is empty; give a name");
   require_place_for_directory(dir, "choose another --out");
   std::error_code error;
   for (const std::string& name : file_names(scenarios)) {
     if (!is_something_at(dir / name)) continue;
-    if (fs::is_directory(fs::symlink_status(dir / name, error))) refuse(dir / name, "is a directory; choose another --out");
-    if (!force) refuse(dir / name, "already exists; choose another --out, or --force to overwrite it");
+    if (fs::is_directory(fs::symlink_status(dir / name, error)))
+      refuse_file(dir / name, "is a directory; choose another --out");
+    if (!force) refuse_file(dir / name, "already exists; choose another --out, or --force to overwrite it");
   }
 }
 

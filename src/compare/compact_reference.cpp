@@ -42,7 +42,7 @@ class KeptRows : public RowSource {
 
 Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs::path& file) {
   if (!numbers.is_array() || numbers.size() != places.size() + 1 || !numbers[0].is_number())
-    refuse_path(file,
+    refuse_file(file,
                 "the number of cells in a row is not the number of columns, or a row has no time; write the reference again");
   Row row;
   row.t_s = numbers[0].get<double>();
@@ -52,7 +52,7 @@ Row row_of(const Json& numbers, const std::vector<std::size_t>& places, const fs
     row.value[places[i]] = numbers[i + 1].get<double>();
     const std::string& column = trajectory_table().columns[places[i]];
     if (const std::string_view wanted = fault_of(range_of(column), row.value[places[i]]); !wanted.empty())
-      refuse_path(file, fmt::format("its {} at {} s is {}, but must be {}; write the reference again", column, row.t_s,
+      refuse_file(file, fmt::format("its {} at {} s is {}, but must be {}; write the reference again", column, row.t_s,
                                     row.value[places[i]], wanted));
     row.kind[places[i]] = CellKind::number;
   }
@@ -106,21 +106,21 @@ Comparand open_compact_reference(const fs::path& file) {
     if (!check_seal(text, file, "write the reference again")) reference.unverified.push_back(file);
   });
   if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
-    refuse_path(file,
+    refuse_file(file,
                 fmt::format("is not a reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
                             "compare --update has written",
                             kReferenceSchema));
   for (const char* key : {"summary", "columns", "rows", "generator"})
-    if (!json.contains(key)) refuse_path(file, fmt::format("has no \"{}\"; write the reference again", key));
+    if (!json.contains(key)) refuse_file(file, fmt::format("has no \"{}\"; write the reference again", key));
   reference.summary = json.at("summary");
   if (!reference.has_summary() || reference.word("/provenance/scenario_sha256").empty())
-    refuse_path(file, "its summary has no scenario hash; write the reference again");
+    refuse_file(file, "its summary has no scenario hash; write the reference again");
   for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
     if (!reference.summary->contains(key))
-      refuse_path(file, fmt::format("its summary has no \"{}\"; write the reference again", key));
+      refuse_file(file, fmt::format("its summary has no \"{}\"; write the reference again", key));
   if (!json.at("columns").is_array() || json.at("columns").empty() || json.at("columns").at(0) != "t_s" ||
       !json.at("rows").is_array())
-    refuse_path(file, "its columns do not begin with t_s, or it has no rows; write the reference again");
+    refuse_file(file, "its columns do not begin with t_s, or it has no rows; write the reference again");
   reference.has_some_rows_only = true;
   reference.generator = json.at("generator").is_string() ? json.at("generator").get<std::string>() : "";
   const Table& table = trajectory_table();
@@ -130,18 +130,18 @@ Comparand open_compact_reference(const fs::path& file) {
     const Json& name = json.at("columns").at(i);
     const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
     if (!place || columns[*place])
-      refuse_path(file, fmt::format("its column {} is not one of trajectory.csv, or occurs twice", written(name)));
+      refuse_file(file, fmt::format("its column {} is not one of trajectory.csv, or occurs twice", written(name)));
     places.push_back(*place);
     columns[*place] = true;
   }
   auto rows = std::make_shared<std::vector<Row>>();
   for (const Json& row : json.at("rows")) {
     rows->push_back(row_of(row, places, file));
-    if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_path(file, "its rows are not in order");
+    if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_file(file, "its rows are not in order");
   }
   reference.stated_rows = rows->size();
   if (rows->empty() || json.value("row_count", Json()) != rows->size())
-    refuse_path(file, "does not have as many rows as it states (row_count); write the reference again");
+    refuse_file(file, "does not have as many rows as it states (row_count); write the reference again");
   reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
   return reference;
 }

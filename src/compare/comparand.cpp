@@ -65,10 +65,10 @@ Comparand open_results(const fs::path& directory) {
     summary = text;
   });
   if (results.word("/$schema") != kSummarySchema)
-    refuse_path(file, fmt::format("is not a summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
+    refuse_file(file, fmt::format("is not a summary of `earthtop run`: its $schema is not \"{}\"", kSummarySchema));
   const auto rows = results.number("/outcome/rows");
   if (!rows || *rows > 1e15)
-    refuse_path(file, "does not state its number of rows (/outcome/rows), a whole number; run the scenario again");
+    refuse_file(file, "does not state its number of rows (/outcome/rows), a whole number; run the scenario again");
   results.stated_rows = static_cast<std::uint64_t>(*rows);
   if (const fs::path timing = directory / "timing.json"; is_there(timing))
     results.timing = read_json_file(timing, "timing", [&](std::string_view text) {
@@ -82,16 +82,12 @@ Comparand open_results(const fs::path& directory) {
 
 }  // namespace
 
-void refuse_path(const fs::path& path, std::string message) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, path.string());
-}
-
 bool is_there(const fs::path& path) { return input::type_of(path.string()) != PathType::nothing; }
 
 ComparandKind kind_of(const fs::path& path) {
-  if (path.empty()) refuse_path(path, "the path is empty; give a directory of results, a study store, or a file");
+  if (path.empty()) refuse_file(path, "the path is empty; give a directory of results, a study store, or a file");
   const PathType type = input::type_of(path.string());
-  if (type == PathType::nothing) refuse_path(path, "there is no such file or directory; check the path");
+  if (type == PathType::nothing) refuse_file(path, "there is no such file or directory; check the path");
   if (type != PathType::directory) {
     if (path.extension() == ".sqlite") return ComparandKind::store;
     return path.extension() == ".json" ? ComparandKind::reference : ComparandKind::csv;
@@ -103,10 +99,10 @@ ComparandKind kind_of(const fs::path& path) {
                              DirectoryLock::Mode::shared);  // a run that is replacing its files has no summary for a moment
     if (is_there(path / "summary.json")) return ComparandKind::results;
     if (is_there(path / "trajectory.csv"))
-      refuse_path(path, "has a trajectory.csv without its summary.json: writing it was interrupted; run the scenario again");
+      refuse_file(path, "has a trajectory.csv without its summary.json: writing it was interrupted; run the scenario again");
   }
   if (members(path).empty())
-    refuse_path(
+    refuse_file(
         path, "holds no results: it has no summary.json, no study.sqlite, no directories with one, and no compact references");
   return ComparandKind::collection;
 }

@@ -25,8 +25,6 @@ enum class ComparandKind {
   collection  ///< a directory of several of these
 };
 
-/// @throws ScenarioError always, with this message about a file or directory that is not what it should be
-[[noreturn]] void refuse_path(const fs::path& path, std::string message);
 /// Whether a name is there, a link that leads nowhere included. @throws as `input::type_of`
 bool is_there(const fs::path& path);
 

@@ -106,7 +106,7 @@ void find_attitude_errors(const Comparand& reference, const Comparand& candidate
 /// Refuses the partial results of an interrupted run: their rows have no error bounds and no verdict.
 void require_assessed(const Comparand& side) {
   if (side.word("/outcome/status") == to_string(RunStatus::interrupted))
-    refuse_path(side.path,
+    refuse_file(side.path,
                 "is a partial result: its run was interrupted before it had error bounds and a verdict, and nothing can be "
                 "judged without them; run the scenario again");
 }
@@ -230,7 +230,7 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
 void require_distinct(const fs::path& directory, const std::vector<std::pair<std::string, fs::path>>& list) {
   for (std::size_t i = 1; i < list.size(); ++i)
     if (list[i].first == list[i - 1].first)
-      refuse_path(directory, fmt::format("holds \"{}\" twice, as {} and as {}; remove one of them", list[i].first,
+      refuse_file(directory, fmt::format("holds \"{}\" twice, as {} and as {}; remove one of them", list[i].first,
                                          list[i - 1].second.filename().string(), list[i].second.filename().string()));
 }
 

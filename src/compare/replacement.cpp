@@ -135,7 +135,7 @@ bool is_below_root(const fs::path& name) {
 
 std::vector<ReplacedFile> read_journal(const fs::path& root, const fs::path& journal) {
   const auto damaged = [&]() {
-    refuse_path(journal, fmt::format("is damaged, so that the reference may be, too; remove {}, and update the reference again",
+    refuse_file(journal, fmt::format("is damaged, so that the reference may be, too; remove {}, and update the reference again",
                                      printable(journal.parent_path().string())));
   };
   constexpr std::size_t kLargest_MiB = 256;
@@ -185,7 +185,7 @@ void require_own(const fs::path& root) {
     throw ReadError(stage.string(), std::strerror(errno));
   }
   if (!S_ISDIR(status.st_mode) || status.st_uid != ::geteuid())
-    refuse_path(stage, "belongs to an update that another user began; that user must repeat the command");
+    refuse_file(stage, "belongs to an update that another user began; that user must repeat the command");
 }
 
 }  // namespace
@@ -236,7 +236,7 @@ Replacement::File& Replacement::file(const fs::path& name) {
   for (ReplacedFile& known : changes_)
     if (known.name.native() == name.native()) return known;
   if (input::type_of((root_ / name).string()) == input::PathType::directory)
-    refuse_path(root_ / name, "is a directory, where a file of the reference belongs; move it away");
+    refuse_file(root_ / name, "is a directory, where a file of the reference belongs; move it away");
   changes_.push_back(change_of(root_, name, false, false));
   ReplacedFile& added = changes_.back();
   make_directories(added.next.parent_path(), staged_directories_, &temporary_names_);
@@ -338,7 +338,7 @@ void finish_update_in(const fs::path& directory) {
     return;
   }
   const DirectoryLock lock(directory, DirectoryLock::Mode::exclusive);
-  if (lock.is_busy()) refuse_path(directory, "is being updated; wait until that has ended, and repeat the command");
+  if (lock.is_busy()) refuse_file(directory, "is being updated; wait until that has ended, and repeat the command");
   if (!is_there(stage)) return;
   require_own(directory);
   resume(directory);

@@ -390,8 +390,8 @@ RowsComparison Comparison::take() {
 
 /// Refuses a file whose number of rows is not the one that its summary states: it is incomplete, or the summary is another's.
 void require_stated(const Comparand& comparand, const Table& table, const CountedRows& rows) {
-  if (rows.count() == 0 && !comparand.has_summary()) refuse_path(comparand.path, "has no rows");
-  const auto refuse = [&](std::string message) { refuse_path(comparand.path / table.file, std::move(message)); };
+  if (rows.count() == 0 && !comparand.has_summary()) refuse_file(comparand.path, "has no rows");
+  const auto refuse = [&](std::string message) { refuse_file(comparand.path / table.file, std::move(message)); };
   if (rows.count() == 0) refuse("has no rows; run the scenario again");
   if (!comparand.stated_rows || comparand.has_some_rows_only || *comparand.stated_rows == rows.count()) return;
   const auto& gap = rows.gap_after_s();

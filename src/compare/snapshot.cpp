@@ -24,7 +24,7 @@ FileIdentity identity_in(const struct stat& status) {
 }  // namespace
 
 void refuse_under_way(const fs::path& directory) {
-  refuse_path(directory, "a run is writing there; wait until it has ended, and repeat the command");
+  refuse_file(directory, "a run is writing there; wait until it has ended, and repeat the command");
 }
 
 FileIdentity identity_of(const fs::path& file) {

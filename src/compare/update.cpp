@@ -36,7 +36,7 @@ Json history_in(const fs::path& file) {
   const Json json = read_json_file(file, "reference");
   const std::string schema = json.value("$schema", Json()).is_string() ? json.at("$schema").get<std::string>() : "";
   if (schema != kReferenceSchema && schema != kNotesSchema)
-    refuse_path(file, "already exists, and is not a reference; choose another place");
+    refuse_file(file, "already exists, and is not a reference; choose another place");
   return json.contains("history") && json.at("history").is_array() ? json.at("history") : Json::array();
 }
 
@@ -46,22 +46,22 @@ void require_sound(const fs::path& candidate, const Watch& watch) {
   options.watch = watch;
   options.tolerances.profile = Profile::bitwise;
   for (const PairReport& pair : compare_results(candidate, candidate, options).pairs) {
-    if (!pair.refusal.empty()) refuse_path(candidate, pair.refusal);
-    for (const CompareFinding& finding : pair.findings) refuse_path(pair.candidate, finding.text);
+    if (!pair.refusal.empty()) refuse_file(candidate, pair.refusal);
+    for (const CompareFinding& finding : pair.findings) refuse_file(pair.candidate, finding.text);
     for (const QuantityVerdict& quantity : pair.quantities)
-      if (!quantity.passed) refuse_path(pair.candidate, fmt::format("{}: {}", quantity.name, quantity.reason));
+      if (!quantity.passed) refuse_file(pair.candidate, fmt::format("{}: {}", quantity.name, quantity.reason));
     if (kind_of(pair.candidate) != ComparandKind::results) continue;
     const Comparand results = open_comparand(pair.candidate, nullptr);
     if (results.word("/outcome/status") != "completed")
-      refuse_path(pair.candidate, "its run was not completed, so that it cannot become a reference");
+      refuse_file(pair.candidate, "its run was not completed, so that it cannot become a reference");
     for (const char* key : {"scenario", "drift", "motion", "invariants", "solution", "provenance"})
       if (!results.summary->contains(key) || results.summary->at(key).is_null())
-        refuse_path(pair.candidate, fmt::format("its summary has no \"{}\"; run the scenario again", key));
+        refuse_file(pair.candidate, fmt::format("its summary has no \"{}\"; run the scenario again", key));
     const auto rows = results.open_rows();
     for (std::size_t i = 0; i < trajectory_table().columns.size(); ++i)
       if (const Measure& measure = trajectory_table().measure_of(i);
           !rows->has_column(i) && (!measure.of_contact || results.summary->contains("contact")))
-        refuse_path(pair.candidate,
+        refuse_file(pair.candidate,
                     fmt::format("its trajectory.csv has no {}; run the scenario again", trajectory_table().columns[i]));
   }
 }
@@ -102,7 +102,7 @@ void require_whole(const fs::path& candidate, const FileChecksums& copied, const
   for (const auto& [name, checksum] : stated) {
     const auto found = std::find_if(copied.begin(), copied.end(), [&, its = name](const auto& c) { return c.first == its; });
     if (found == copied.end())
-      refuse_path(candidate, fmt::format("has no {}, which its summary names; run the scenario again", printable(name)));
+      refuse_file(candidate, fmt::format("has no {}, which its summary names; run the scenario again", printable(name)));
     if (found->second != checksum) refuse_damaged(candidate / name);
   }
 }
@@ -141,7 +141,7 @@ void require_at_rest(const fs::path& directory) {
   const fs::path store = study_store(directory);
   for (const char* log : {"-wal", "-shm", "-journal"})
     if (is_there(store.string() + log))
-      refuse_path(directory, fmt::format("{}{} in it says that its store is in use; wait until that has ended",
+      refuse_file(directory, fmt::format("{}{} in it says that its store is in use; wait until that has ended",
                                          store.filename().string(), log));
   const int lock = ::open((store.string() + ".lock").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
   if (lock < 0) {
@@ -150,7 +150,7 @@ void require_at_rest(const fs::path& directory) {
   }
   const bool in_use = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(lock);
-  if (in_use) refuse_path(directory, "a study is writing there; wait until it has ended, and repeat the command");
+  if (in_use) refuse_file(directory, "a study is writing there; wait until it has ended, and repeat the command");
 }
 
 /// Copies the store of a study, and writes its table, document and picture anew from the copy.
@@ -178,14 +178,14 @@ void put_study(Update& update, const fs::path& root, const fs::path& place, cons
 void require_kind(const fs::path& reference, ComparandKind kind) {
   const input::PathType type = input::type_of(reference.string());
   if (type != input::PathType::nothing && type != input::PathType::directory)
-    refuse_path(reference, "is a file; give a directory");
+    refuse_file(reference, "is a file; give a directory");
   const bool other = kind == ComparandKind::store ? is_there(reference / "summary.json") : is_there(study_store(reference));
-  if (other) refuse_path(reference, "is a reference of another kind; choose another place");
+  if (other) refuse_file(reference, "is a reference of another kind; choose another place");
   if (kind == ComparandKind::store) require_at_rest(reference);
 }
 
 [[noreturn]] void refuse_as_reference(const fs::path& candidate) {
-  refuse_path(
+  refuse_file(
       candidate,
       "cannot be a reference; give a directory that `earthtop run` or a study has written, or a directory of such directories");
 }
@@ -211,7 +211,7 @@ void update_compact(const fs::path& reference, const fs::path& candidate, const 
   std::string next;
   make_compact(reference, candidate, reason, watch, next);
   write_file(reference, [&] {
-    if (identity_of(reference) != before) refuse_path(reference, "has been changed in the meantime; repeat the command");
+    if (identity_of(reference) != before) refuse_file(reference, "has been changed in the meantime; repeat the command");
     return next;
   });
 }
@@ -223,7 +223,7 @@ fs::path update_directory(const fs::path& reference, const fs::path& given, Comp
   if (kind == ComparandKind::store) {
     const bool is_file = input::type_of(given.string()) != input::PathType::directory;
     if (is_file && given.filename() != study_store({}).filename())
-      refuse_path(given, "give the study's directory, or its study.sqlite");
+      refuse_file(given, "give the study's directory, or its study.sqlite");
     if (is_file) candidate = given.has_parent_path() ? given.parent_path() : fs::path(".");
     if (reference.filename() == study_store({}).filename())
       root = reference.has_parent_path() ? reference.parent_path() : fs::path(".");
@@ -243,7 +243,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
   const bool holds_many =
       type == input::PathType::directory && !is_there(reference / "summary.json") && !is_there(study_store(reference));
   if (type != input::PathType::nothing && !holds_many)
-    refuse_path(reference, "is a single reference, but there are several new results; give a directory");
+    refuse_file(reference, "is a single reference, but there are several new results; give a directory");
   if (holds_many) members(reference);  // brings updates of single ones to their end
   Replacement next(reference, watch);
   struct Member {
@@ -292,7 +292,7 @@ std::vector<std::string> update_reference(const std::filesystem::path& reference
   const ComparandKind kind = kind_of(candidate);
   if (const FileIdentity there = identity_of(reference);
       there.inode != 0 && there.inode == identity_of(candidate).inode && there.device == identity_of(candidate).device)
-    refuse_path(candidate, "is the reference itself; give new results");
+    refuse_file(candidate, "is the reference itself; give new results");
   if (kind == ComparandKind::collection) return update_collection(reference, candidate, reason, watch);
   if (kind != ComparandKind::results && kind != ComparandKind::store) {
     require_sound(candidate, watch);

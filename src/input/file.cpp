@@ -20,10 +20,6 @@
 namespace earthtop::input {
 namespace {
 
-[[noreturn]] void refuse_file(const std::string& name, std::string message) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, name);
-}
-
 void require_regular(const struct stat& status, const std::string& name, const FileUse& use) {
   const auto* or_stdin = use.or_standard_input ? ", or '-' and redirect standard input" : "";
   if (S_ISDIR(status.st_mode)) refuse_file(name, fmt::format("is a directory; give a {} in it", use.noun));

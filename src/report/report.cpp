@@ -57,8 +57,7 @@ Report document_page(const std::filesystem::path& file) {
     notes.push_back(unverified(name));
   const auto make_page = page_maker(document);
   if (make_page == nullptr)
-    compare::refuse_path(file,
-                         "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
+    refuse_file(file, "is no document of compare, plan or bench --json; give one, or a directory of results or of a study");
   check_ranges(document, name);
   return make_page(document, notes);
 }
@@ -74,11 +73,11 @@ Report make_report(const std::filesystem::path& what, const Watch& watch) try {
     case ComparandKind::results: return report::run_page(what, watch);
     case ComparandKind::store: return report::study_page(store_at(what), watch);
     default:
-      compare::refuse_path(
-          what, "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
+      refuse_file(what,
+                  "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");
   }
 } catch (const report::Json::exception& error) {
-  compare::refuse_path(what, fmt::format("is not as this program writes it; write it anew ({})", complaint_of(error)));
+  refuse_file(what, fmt::format("is not as this program writes it; write it anew ({})", complaint_of(error)));
 }
 
 std::filesystem::path report_file(const std::filesystem::path& what) {

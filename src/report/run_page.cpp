@@ -224,7 +224,7 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
   const auto rows = run.results.open_rows();
   for (const char* needed : {"axis_L_x", "ref_axis_L_x", "drift_axis_rad", "q_LB_w", "w_LB_B_x_rad_s"})
     if (!rows->has_column(column(needed)))
-      compare::refuse_path(directory, fmt::format("its trajectory.csv has no {}; run the scenario again", needed));
+      refuse_file(directory, fmt::format("its trajectory.csv has no {}; run the scenario again", needed));
   const auto& measures = compare::trajectory_table().measures;
   run.has_contact = std::all_of(measures.begin(), measures.end(),
                                 [&](const compare::Measure& measure) { return !measure.of_contact || rows->has(measure); });

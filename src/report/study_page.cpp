@@ -118,7 +118,7 @@ std::string self_contained(const Study& study) {
 
 Report study_page(const std::filesystem::path& store, const Watch& watch) {
   const StudyStoreCheck check = check_study_store(store);
-  if (!check.damage.empty()) throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", check.damage}}, store.string());
+  if (!check.damage.empty()) refuse_file(store, check.damage);
   study::Store points = study::Store::open(store, study::sqlite::Connection::Mode::read);
   const Json study = Json::parse(study_json(store, watch));
   const std::string title = study.value("title", "").empty() ? study.value("name", "A study") : study.value("title", "");

@@ -53,11 +53,15 @@ constexpr std::array<KnownContent, 10> kKnown = {
      {OutputKind::document, "earthtop", "", "", "", "", false},
      {OutputKind::manual_page, "earthtop man", ".\\\" ", "", ".TH EARTHTOP"}}};
 
-const KnownContent& known(OutputKind kind) {
-  for (const KnownContent& one : kKnown)
-    if (one.kind == kind) return one;
-  return kKnown.front();  // each kind has its row
-}
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kKnown.size(); ++i)
+        if (kKnown[i].kind != static_cast<OutputKind>(i)) return false;
+      return kKnown.back().kind == OutputKind::manual_page;  // the last one
+    }(),
+    "each kind has its row, in their order");
+
+const KnownContent& known(OutputKind kind) { return kKnown[static_cast<std::size_t>(kind)]; }
 
 constexpr std::string_view kWrittenBy = "written by ", kChecksum = ", checksum ";
 
@@ -94,10 +98,6 @@ bool is_own(OutputKind kind, const std::string& there, const std::string& next) 
   return content.is_known_unmarked && last == there.npos;
 }
 
-[[noreturn]] void refuse_output(const std::string& path, std::string reason) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(reason)}}, path);
-}
-
 /// The place that a path leads to, links followed as far as they lead.
 std::string place_of(const std::string& path) {
   std::error_code error;
@@ -116,12 +116,11 @@ Target target_of(const std::string& path) {
   if (S_ISREG(status.st_mode)) return Target::file;
   const bool is_link = S_ISLNK(status.st_mode);
   if (is_link && ::stat(path.c_str(), &status) != 0)
-    refuse_output(path,
-                  fmt::format("is a link that leads nowhere ({}); repair it, or give another name", std::strerror(errno)));
+    refuse_file(path, fmt::format("is a link that leads nowhere ({}); repair it, or give another name", std::strerror(errno)));
   if (S_ISFIFO(status.st_mode) || S_ISCHR(status.st_mode)) return Target::stream;
-  if (S_ISDIR(status.st_mode)) refuse_output(path, "is a directory; give the name of a file");
-  refuse_output(path,
-                is_link ? "is a link; give the name of the file that it leads to" : "is not a file; give the name of a file");
+  if (S_ISDIR(status.st_mode)) refuse_file(path, "is a directory; give the name of a file");
+  refuse_file(path,
+              is_link ? "is a link; give the name of the file that it leads to" : "is not a file; give the name of a file");
 }
 
 /// Refuses a file whose content is not this program's. @param next  what is going to be written; empty where not known yet
@@ -129,12 +128,12 @@ void require_own(const OutputFile& file, const std::string& next) {
   struct stat status = {};
   if (::lstat(file.path.c_str(), &status) != 0) fail_to_write(file.path, errno);
   if ((status.st_mode & 0222U) == 0)
-    refuse_output(file.path, "already exists and is write-protected; give another name, or --force to overwrite it");
+    refuse_file(file.path, "already exists and is write-protected; give another name, or --force to overwrite it");
   constexpr std::size_t kMost_MiB = 1024;
   if (!is_own(file.kind, input::read_regular_file(file.path, file.path, {"file", false, kMost_MiB}), next))
-    refuse_output(file.path,
-                  fmt::format("already exists, and is not as {} wrote it; give another name, or --force to overwrite it",
-                              known(file.kind).writer));
+    refuse_file(file.path,
+                fmt::format("already exists, and is not as {} wrote it; give another name, or --force to overwrite it",
+                            known(file.kind).writer));
 }
 
 }  // namespace
@@ -153,8 +152,8 @@ void require_place_for_directory(const fs::path& directory, std::string_view rem
   while (!is_something_at(present) && present.has_relative_path()) present = present.parent_path();
   if (input::type_of(present.string()) != input::PathType::directory) {
     const bool link = fs::is_symlink(fs::symlink_status(present, error));
-    refuse_output(present.string(), link ? fmt::format("is a link that does not lead to a directory; repair it, or {}", remedy)
-                                         : fmt::format("is not a directory; {}", remedy));
+    refuse_file(present.string(), link ? fmt::format("is a link that does not lead to a directory; repair it, or {}", remedy)
+                                       : fmt::format("is not a directory; {}", remedy));
   }
   if (::access(present.c_str(), W_OK | X_OK) != 0) fail_to_write(present, errno);
 }
@@ -176,7 +175,7 @@ struct OutputFiles::Output {
   /// Checks that it may be written; opens a FIFO or a device, so that nobody waits for its reader later.
   void require_free(bool force) {
     if (stream >= 0) return;
-    if (!fs::path(file.path).has_filename()) refuse_output(file.path, "is not the name of a file; give the name of a file");
+    if (!fs::path(file.path).has_filename()) refuse_file(file.path, "is not the name of a file; give the name of a file");
     switch (target_of(file.path)) {
       case Target::nothing: break;
       case Target::file:
@@ -184,7 +183,7 @@ struct OutputFiles::Output {
         break;
       case Target::stream:
         stream = ::open(file.path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-        if (stream < 0 && errno == ENXIO) refuse_output(file.path, "has no reader; start the process that reads it first");
+        if (stream < 0 && errno == ENXIO) refuse_file(file.path, "has no reader; start the process that reads it first");
         if (stream < 0) fail_to_write(file.path, errno);
         ::fcntl(stream, F_SETFL, ::fcntl(stream, F_GETFL) & ~O_NONBLOCK);
         return;
@@ -215,14 +214,13 @@ void OutputFiles::require_apart(const Output& output) const {
     if (other.get() == &output) break;
     const std::string there = place_of(other->file.path);
     if (there != place && !place.starts_with(there + "/") && !there.starts_with(place + "/")) continue;
-    refuse_output("", fmt::format("{} and {} name the same file; give two", other->file.option, output.file.option));
+    refuse_file("", fmt::format("{} and {} name the same file; give two", other->file.option, output.file.option));
   }
   for (const std::string& input : inputs_) {
     if (input.empty() || input == "-") continue;
     const std::string read = place_of(input);
     if (place == read || place.starts_with(read + "/"))
-      refuse_output(output.file.path,
-                    fmt::format("is {}one of the inputs; write to another place", place == read ? "" : "in "));
+      refuse_file(output.file.path, fmt::format("is {}one of the inputs; write to another place", place == read ? "" : "in "));
   }
 }
 
@@ -251,7 +249,7 @@ void OutputFiles::commit() {
     sets.push_back(std::make_unique<FileSet>(files.front()->directory(), views));
     for (Output* output : files) {
       output->require_free(force_);
-      if (output->stream >= 0) refuse_output(output->file.path, "has been changed in the meantime; repeat the command");
+      if (output->stream >= 0) refuse_file(output->file.path, "has been changed in the meantime; repeat the command");
       sets.back()->add(output->name(), *output->content);
     }
   }

@@ -22,10 +22,6 @@ constexpr std::string_view kEnd = "\n}\n", kBefore = ",\n  \"checksum\": \"", kB
 constexpr const char* kDamaged = "is damaged: it is not what was written, or a run is writing there; run the scenario again";
 constexpr const char *kSummaryName = "summary.json", *kTimingName = "timing.json";
 
-[[noreturn]] void refuse_file(const std::filesystem::path& file, std::string why) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(why)}}, file.string());
-}
-
 std::string checksum_of_file(const std::filesystem::path& file) {
   const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"result file", false});
   std::string block(std::size_t{1} << 18, '\0');
@@ -89,7 +85,7 @@ Seal seal_of(std::string_view document) {
   const std::string_view stated = digits > 0 ? document.substr(digits, kZeros.size()) : std::string_view();
   const bool is_named = digits > 0 && document.substr(digits - kBefore.size(), kBefore.size()) == kBefore;
   if (!is_named) {
-    // The name in another place, or the digits with another name, tell that there was a checksum.
+    // It had a checksum, which was damaged: digits stand where its own do, or its name stands elsewhere.
     const bool has_digits = !stated.empty() && stated.find_first_not_of("0123456789abcdef") == stated.npos;
     return has_digits || document.find(kBefore) != document.npos ? Seal::broken : Seal::absent;
   }

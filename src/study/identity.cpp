@@ -88,7 +88,7 @@ StudyEstimate estimate(const Study& study) {
   // A row of the store: number, status, hash, and some 12 bytes a value; the exported line is about as long.
   const double columns = static_cast<double>(study.axes.size() + study.quantities.size());
   estimate.disk_bytes = static_cast<double>(*count) * 2 * (90 + 12 * columns);
-  // The document names every value of each point of a small study, in lines of their own.
+  // The document names every value of each point of a small study, in lines of their own; measured for 20, 400 and 10,000 points.
   constexpr double kMostPointsListed = 1000, kOtherFiles = 3e4, kAPoint = 360, kAValue = 80;
   estimate.disk_bytes += kOtherFiles;
   if (static_cast<double>(*count) <= kMostPointsListed)

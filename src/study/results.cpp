@@ -251,7 +251,7 @@ void require_own_results(const std::filesystem::path& dir, const std::string& sh
   std::error_code error;
   for (const std::string_view name : kResultFiles)
     if (std::filesystem::is_directory(std::filesystem::symlink_status(dir / name, error)))
-      throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", "is a directory; choose another --out"}}, (dir / name).string());
+      refuse_file(dir / name, "is a directory; choose another --out");
   if (force) return;
   std::string document;
   if (is_something_at(dir / kDocumentFile)) {

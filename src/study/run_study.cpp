@@ -8,6 +8,7 @@
 #include <memory>
 #include <thread>
 
+#include "earthtop/error.hpp"
 #include "earthtop/run.hpp"
 #include "input/file.hpp"
 #include "results/file_set.hpp"
@@ -24,10 +25,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-[[noreturn]] void refuse(const fs::path& file, std::string message) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, file.string());
-}
 
 void make_directory(const fs::path& dir) {
   std::error_code error;
@@ -55,7 +52,7 @@ bool is_blank(const fs::path& file) {
 bool is_there(const fs::path& file) {
   const input::PathType type = input::type_of(file.string());
   if (type == input::PathType::nothing || type == input::PathType::file) return type == input::PathType::file;
-  refuse(file, "is not a file, or is a link that leads nowhere; remove it, or choose another --out");
+  refuse_file(file, "is not a file, or is a link that leads nowhere; remove it, or choose another --out");
 }
 
 /// @throws ScenarioError if the disk has no room for the study's results
@@ -65,8 +62,8 @@ void require_room(const fs::path& dir, double bytes) {
   while (!fs::exists(present, error) && present.has_relative_path()) present = present.parent_path();
   const fs::space_info space = fs::space(present, error);
   if (!error && bytes > static_cast<double>(space.available))
-    refuse(dir, fmt::format("has {:.2g} GB left, and the study takes about {:.2g} GB; make room, or choose another --out",
-                            static_cast<double>(space.available) / 1e9, bytes / 1e9));
+    refuse_file(dir, fmt::format("has {:.2g} GB left, and the study takes about {:.2g} GB; make room, or choose another --out",
+                                 static_cast<double>(space.available) / 1e9, bytes / 1e9));
 }
 
 /// Whether the store holds a point whose run was completed, or cannot say.
@@ -101,9 +98,9 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
     if (!options.force) throw;
   }
   if (!options.force && !replaced)
-    refuse(file,
-           "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
-           "discard them and start again");
+    refuse_file(file,
+                "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
+                "discard them and start again");
   remove_store(file);
   return Store::create(file, study, options.shard);
 }
@@ -315,13 +312,13 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
   const fs::path target = study_store(dir);
   for (const fs::path& part : stores) {
     std::error_code error;
-    if (fs::equivalent(part, target, error)) refuse(part, "is the merged store itself; choose another --out");
+    if (fs::equivalent(part, target, error)) refuse_file(part, "is the merged store itself; choose another --out");
   }
   std::optional<Store> first = Store::open(stores.front(), sqlite::Connection::Mode::read);
   for (const fs::path& part : stores) {
     Store store = Store::open(part, sqlite::Connection::Mode::read);
     if (store.sha256() != first->sha256())
-      refuse(part, fmt::format("holds points of another study than {}", stores.front().string()));
+      refuse_file(part, fmt::format("holds points of another study than {}", stores.front().string()));
     store.check_intact();
   }
   check_study_results(dir, first->study(), force);

@@ -123,6 +123,15 @@ void Connection::fail() const {
   throw ReadError(file_, reason + "; check the disk");
 }
 
+bool Connection::head_forbids_writing() const {
+  constexpr sqlite3_int64 kWriteVersion = 18;  // place in the head; 1 and 2 are known [SQLite, Database File Format, 1.3]
+  sqlite3_file* opened = nullptr;
+  unsigned char version = 0;
+  return sqlite3_db_readonly(get(), "main") == 1 &&
+         sqlite3_file_control(get(), "main", SQLITE_FCNTL_FILE_POINTER, &opened) == SQLITE_OK && opened != nullptr &&
+         opened->pMethods != nullptr && opened->pMethods->xRead(opened, &version, 1, kWriteVersion) == SQLITE_OK && version > 2;
+}
+
 void Connection::require_read() const {
   const auto require = [&](int error) {
     for (const int fault : {EIO, ENXIO, ESTALE})

@@ -67,6 +67,9 @@ class Connection {
   /// To be called before content is called damaged: SQLite says so, too, where the disk failed to give a page.
   /// @throws ReadError if the last read of a file failed
   void require_read() const;
+  /// Whether the file's head says that nothing may be written to it, as a flipped bit there does. SQLite itself also opens a file for
+  /// reading alone where it cannot open it for writing; that is no damage.
+  bool head_forbids_writing() const;
   /// @throws ScenarioError, naming the other process if it can be found, if that process has locked the file and this
   /// connection is not patient; std::bad_alloc if SQLite found no memory; otherwise WriteError (ReadError in read mode, and
   /// of a damaged file) with SQLite's reason

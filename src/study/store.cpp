@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "earthtop/error.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "input/file.hpp"
 #include "results/number_ranges.hpp"
@@ -19,10 +20,6 @@ namespace {
 
 constexpr const char* kRepairStore = "; the same study with --repair keeps the intact points and computes the others again";
 constexpr const char* kFormat = "earthtop-study-store-1";
-
-[[noreturn]] void refuse_store(const std::filesystem::path& file, std::string message) {
-  throw ScenarioError(std::vector<Diagnostic>{{0, 0, "", std::move(message)}}, file.string());
-}
 
 void put(sqlite::Connection& connection, std::string_view key, std::string_view value) {
   sqlite::Statement statement(connection, "INSERT OR REPLACE INTO study VALUES (?, ?)");
@@ -56,7 +53,7 @@ Study study_in(Facts& facts, const std::filesystem::path& file) {
     return study;
   } catch (const ScenarioError& error) {
     const Diagnostic& first = error.diagnostics().front();
-    refuse_store(file, fmt::format("holds a study that cannot be read: {}", format_diagnostic(facts["name"], first)));
+    refuse_file(file, fmt::format("holds a study that cannot be read: {}", format_diagnostic(facts["name"], first)));
   }
 }
 
@@ -82,16 +79,6 @@ void append(std::string& bytes, const Value& value) {
   if (const auto* word = std::get_if<std::string>(&value)) append(bytes, std::string_view(*word));
 }
 
-/// Whether a store's head says that nothing may be written to it, as a flipped bit there does. SQLite itself also opens a file for
-/// reading alone where it cannot open it for writing; that is no damage.
-bool forbids_writing(sqlite::Connection& connection) {
-  constexpr sqlite3_int64 kWriteVersion = 18;  // place in the head; 1 and 2 are known [SQLite, Database File Format, 1.3]
-  sqlite3_file* opened = nullptr;
-  unsigned char version = 0;
-  return sqlite3_db_readonly(connection.get(), "main") == 1 &&
-         sqlite3_file_control(connection.get(), "main", SQLITE_FCNTL_FILE_POINTER, &opened) == SQLITE_OK && opened != nullptr &&
-         opened->pMethods != nullptr && opened->pMethods->xRead(opened, &version, 1, kWriteVersion) == SQLITE_OK && version > 2;
-}
 constexpr const char* kForbidsWriting = "its head says that nothing may be written to it";
 
 /// Makes SQLite write changes to a log first: readers see whole transactions only, and a kill loses no committed one.
@@ -184,8 +171,8 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
 
 Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mode) {
   const input::PathType type = input::type_of(file.string());
-  if (type == input::PathType::nothing) refuse_store(file, "there is no such store");
-  if (type != input::PathType::file) refuse_store(file, "is not a file, or is a link that leads nowhere; give a store");
+  if (type == input::PathType::nothing) refuse_file(file, "there is no such store");
+  if (type != input::PathType::file) refuse_file(file, "is not a file, or is a link that leads nowhere; give a store");
   auto connection = std::make_unique<sqlite::Connection>(file.string(), mode);
   Facts facts;
   bool has_checksums = true;
@@ -193,16 +180,16 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
     facts = facts_of(*connection);
     has_checksums = has_column_of_checksums(*connection);
   } catch (const sqlite::DamageError& what) {
-    refuse_store(file, fmt::format("is not a study's store, or is damaged ({}){}", what.reason(), kRepairStore));
+    refuse_file(file, fmt::format("is not a study's store, or is damaged ({}){}", what.reason(), kRepairStore));
   }
   const bool is_damaged =
       has_checksums != facts.contains(kFactsChecksum) || (has_checksums && facts.at(kFactsChecksum) != facts_checksum(facts));
   if (is_damaged || facts["format"] != kFormat) connection->require_read();
   if (is_damaged)
-    refuse_store(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
-  if (facts["format"] != kFormat) refuse_store(file, "is not a study's store of this version");
-  if (mode == sqlite::Connection::Mode::write && forbids_writing(*connection))
-    refuse_store(file, fmt::format("is damaged: {}{}", kForbidsWriting, kRepairStore));
+    refuse_file(file, fmt::format("is damaged: its description of the study is not what was stored{}", kRepairStore));
+  if (facts["format"] != kFormat) refuse_file(file, "is not a study's store of this version");
+  if (mode == sqlite::Connection::Mode::write && connection->head_forbids_writing())
+    refuse_file(file, fmt::format("is damaged: {}{}", kForbidsWriting, kRepairStore));
   if (mode == sqlite::Connection::Mode::write) set_up(*connection);
   connection->wait_for_locks();
   Study study = study_in(facts, file);
@@ -212,7 +199,7 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
   store.file_ = file;
   if (!store.has_its_table()) {
     store.connection_->require_read();
-    refuse_store(file, fmt::format("is damaged: its table of points is not that of its study{}", kRepairStore));
+    refuse_file(file, fmt::format("is damaged: its table of points is not that of its study{}", kRepairStore));
   }
   return store;
 }
@@ -257,7 +244,7 @@ std::string Store::contents_text(const Contents& contents) const {
 }
 
 std::string Store::fault_of_file() {
-  if (forbids_writing(*connection_)) return kForbidsWriting;
+  if (connection_->head_forbids_writing()) return kForbidsWriting;
   if (input::type_of(file_.string() + "-wal") != input::PathType::nothing) return "";  // the file is not all of the store
   sqlite::Statement pages(*connection_, "SELECT page_count * page_size FROM pragma_page_count(), pragma_page_size()");
   const std::uintmax_t size = std::filesystem::file_size(file_);
@@ -339,7 +326,7 @@ StoreCheck Store::check() {
 
 StoreCheck Store::check_intact() {
   StoreCheck found = check();
-  if (found.is_damaged()) refuse_store(file_, found.text());
+  if (found.is_damaged()) refuse_file(file_, found.text());
   return found;
 }
 
@@ -364,7 +351,7 @@ void Store::adopt(const Study& study) try {
   commit();
   study_ = study;
 } catch (const sqlite::DamageError& what) {
-  refuse_store(file_, fmt::format("is damaged ({}){}", what.reason(), kRepairStore));
+  refuse_file(file_, fmt::format("is damaged ({}){}", what.reason(), kRepairStore));
 }
 
 std::uint64_t Store::counted(const char* condition) {
