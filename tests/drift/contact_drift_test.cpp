@@ -224,10 +224,12 @@ TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
     return contact_derivatives(testing::drift_problem(problem), std::array{friction, down_to_the_east}, time_s, 1e-12).each;
   };
   const auto early = at(0.2), late = at(5);
-  EXPECT_NEAR(0.002 * norm(late[0].axis_L), 6.6e-5, 0.1e-5);
-  EXPECT_NEAR(0.002 * norm(late[0].tip_L_m), 1.3e-5, 0.1e-5);
-  EXPECT_NEAR(kArcsecond * norm(late[1].axis_L), 9e-6, 1e-6);
-  EXPECT_NEAR(kArcsecond * norm(late[1].tip_L_m), 1.0e-5, 0.1e-5);
+  // The references have two digits, and one.
+  constexpr double kReference = 1e-6;
+  EXPECT_NEAR(0.002 * norm(late[0].axis_L), 6.6e-5, kReference);
+  EXPECT_NEAR(0.002 * norm(late[0].tip_L_m), 1.3e-5, kReference);
+  EXPECT_NEAR(kArcsecond * norm(late[1].axis_L), 9e-6, kReference);
+  EXPECT_NEAR(kArcsecond * norm(late[1].tip_L_m), 1.0e-5, kReference);
 
   const auto central = [&](auto&& changed, double step, const auto& derivative) {
     ContactScene more = scene, less = scene;
@@ -246,8 +248,8 @@ TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
     const double unit = step == 0.1 ? 0.1 * real::pi<double>() / 180 : step;
     const auto compare = [&](const Vec3<double>& known, const Vec3<double>& a, const Vec3<double>& b) {
       const Vec3<double> difference = (a - b) / (2 * unit);
-      // Second order of the step: some 1e-4 of the derivative.
-      EXPECT_LT(norm(Vec3<double>(difference - known)), 1e-3 * norm(difference));
+      constexpr double kTruncation = 1e-3;  // second order of the step: some 1e-4 of the derivative
+      EXPECT_LT(norm(Vec3<double>(difference - known)), kTruncation * norm(difference));
     };
     compare(derivative.axis_L, n_more, n_less), compare(derivative.tip_L_m, p_more, p_less);
   };
