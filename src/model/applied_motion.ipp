@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Implementation of the applied torques on a motion, for the scalar types of applied_motion.cpp and for jets.
+/// Implementation of the applied torques on a motion, for the scalar types of applied_motion.cpp and for the one that
+/// records operations.
 #pragma once
 
 #include "earthtop/model/applied_motion.hpp"
