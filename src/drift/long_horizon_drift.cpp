@@ -71,7 +71,7 @@ class LongHorizonDrift {
     // Two walks with long steps may have the same error, mostly in the turn about the axis, which their comparison does not
     // show: up to 5e-12 rad, as in one of 180 gyroscopes, or, at a loose tolerance, five times what averaging is said to leave over.
     if (plan.averages() && difference_suffices) {
-      const T unseen = std::max(kUnseenError, kUnseenShare * stated_error_ * times_.back());
+      const T unseen = std::max(long_horizon::kUnseenError, long_horizon::kUnseenShare * stated_error_ * times_.back());
       for (std::size_t i = 0; i < plain.samples.size(); ++i) {
         const T so_far = unseen * (times_[i] / times_.back());
         plain.samples[i].drift_error += so_far, plain.samples[i].attitude_error += so_far;
@@ -83,8 +83,6 @@ class LongHorizonDrift {
     return watched(epsilon, false);
   }
 
-  static constexpr T kUnseenError = 5e-12;    ///< error of averaging that comparisons may not show, at the end (rad)
-  static constexpr T kUnseenShare = 10;       ///< the same, as a multiple of the error of averaging
   static constexpr T kApart = 1e-3;           ///< phase of the fast motion between the states that rates come from (rad)
   static constexpr double kWalkShare = 0.75;  ///< share of the remaining work that is left after a walk, for the progress
 

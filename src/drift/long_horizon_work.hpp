@@ -14,6 +14,10 @@ struct LongHorizonDriftWork {
   Work work;              ///< evaluations are set-ups of the closed form
   double looks = 0;       ///< how often the motion is evaluated between the rows, to count turns of its angles
   bool averages = false;  ///< whether the steps average over the nutation
+  double drift_rad = 0;   ///< of the axis at the end, in rough terms
+  /// Of that drift, by the tolerance of the steps, their round-off and what averaging leaves; infinite where the release flings the top
+  /// round, whose nutation is not small, so that these do not tell it.
+  double error_rad = 0;
 };
 
 /// @param problem  of a top symmetric about body axis 3
@@ -30,6 +34,8 @@ constexpr double kNodeDrift = 4e-3;  ///< drift sought at the largest of the fou
 constexpr double kGoldenPart = 0.6180339887498949;
 /// The tolerance of the walks at amplified rates.
 inline double node_tolerance(double tolerance) { return kNodeDrift * std::max(tolerance, 1e-11); }
+constexpr double kUnseenError = 5e-12;  ///< error of averaging that comparisons may not show, at the end (rad)
+constexpr double kUnseenShare = 10;     ///< the same, as a multiple of the error that averaging is said to leave
 /// The largest angle by which both frames together may turn between two looks (rad). The limit to a frame's rate is at least
 /// twice the rate of a fast top's precession, which is what steps over many nutations follow.
 constexpr double look_angle(bool averages) { return averages ? 3 : 1.5; }

@@ -214,8 +214,11 @@ LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T asked, StepC
   Trial<T> coarse(top, plan, part, looks.count, counters, watch);
   T before = std::numeric_limits<T>::infinity();
   int stalls = 0;
+  // The run's second integration sees the error of a plan whose search takes too long.
+  constexpr double kTimes = 10, kLeast = 4e5;
+  const double most = std::max(kLeast, kTimes * walking_work(top, plan, duration, 0).evaluations);
   for (int halvings = 0; halvings < 16; ++halvings) {
-    if (watch.asks_to_stop()) return plan;
+    if (watch.asks_to_stop() || static_cast<double>(counters.evaluations - begun) > most) return plan;
     LongHorizonPlan<T> finer = plan;
     finer.step /= T(2);
     const Trial<T> fine(top, finer, part, looks.count, counters, watch);

@@ -44,8 +44,9 @@ struct Range {
 Mapping map_axis(Range range, AxisScale scale, bool tight, int wanted, double from, double to) {
   if (range.empty()) range = scale == AxisScale::linear ? Range{0, 1} : Range{0.1, 1};
   // Beyond a quarter of the largest double the arithmetic of the axis would overflow.
-  range.low = std::max(range.low, -4e307);
-  range.high = std::min(range.high, 4e307);
+  constexpr double kMost = 4e307;
+  range.low = std::clamp(range.low, -kMost, kMost);
+  range.high = std::clamp(range.high, -kMost, kMost);
   if (scale == AxisScale::linear) return {linear_ticks(range.low, range.high, wanted, tight), scale, from, to};
   range.low = std::max({range.low, range.high * 1e-24, 1e-300});
   range.high = std::max(range.high, range.low);

@@ -9,6 +9,7 @@
 #include "earthtop/drift/drift_lanes.hpp"
 #include "earthtop/run_batch.hpp"
 #include "run/assemble.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -113,11 +114,12 @@ void run_in_lanes(std::span<const Scene> scenes, std::span<const LanePoint> poin
 }
 
 /// The number of points, starting at the first, whose trajectories are held in memory together.
-std::size_t together(std::span<const Scene> scenes, std::span<const LanePoint> points) {
-  constexpr double kMostRows = 40'000;  // of each of the two integrations: some 40 MB
+std::size_t together(std::span<const Scene> scenes, std::span<const LanePoint> points, bool between) {
+  constexpr double kMostTimes = 40'000;  // in which a run can be interrupted; but the widest vectors want eight points
+  constexpr std::size_t kWidest = 8;
   std::size_t count = 0;
-  for (double rows = 0; count < points.size(); ++count)
-    if (rows += 2 + scenes[points[count].index].rows(); rows > kMostRows && count > 0) break;
+  for (double times = 0; count < points.size(); ++count)
+    if (times += times_held(scenes[points[count].index], between); times > kMostTimes && count >= kWidest) break;
   return count;
 }
 
@@ -149,7 +151,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
   }
   for (const auto& [shared, points] : lanes)
     for (std::size_t begin = 0; begin < points.size();) {
-      const std::size_t count = together(scenes, std::span(points).subspan(begin));
+      const std::size_t count = together(scenes, std::span(points).subspan(begin), between);
       run_in_lanes(scenes, std::span(points).subspan(begin, count), share_of(count), between, outcomes);
       begin += count;
     }

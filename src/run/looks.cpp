@@ -42,7 +42,7 @@ std::size_t windows_of(double turns, std::size_t most) {
 }
 
 PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequencies>& known) {
-  constexpr double kLooksAPeriod = 12, kMostLooks = 24'000;
+  constexpr double kLooksAPeriod = 12;
   constexpr double kOfBound = 3;  // the rate is an upper bound: three of its periods are at least one of the motion
   PicturePlan plan;
   const double duration = scene.scenario().duration_s;
@@ -56,7 +56,7 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   }
   const double step = period / kLooksAPeriod;
   const double count = std::max(std::ceil(duration / step), 2 * kLooksAPeriod);
-  if (count <= kMostLooks) {
+  if (count <= kMostPictureLooks) {
     plan.step_s = duration / count;
     for (double k = 0; k <= count; ++k) plan.times_s.push_back(k == count ? duration : duration * (k / count));
     return plan;
@@ -67,7 +67,7 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   const double length = step * static_cast<double>(plan.looks_a_window - 1);
   constexpr double kUnknown = 50;  // turns that are followed where it is not known how many there are
   const double turns = known ? duration * std::abs(known->precession_rad_s) / (2 * std::numbers::pi) : kUnknown;
-  const std::size_t windows = windows_of(turns, static_cast<std::size_t>(kMostLooks) / plan.looks_a_window);
+  const std::size_t windows = windows_of(turns, static_cast<std::size_t>(kMostPictureLooks) / plan.looks_a_window);
   for (std::size_t w = 0; w < windows; ++w)
     for (std::size_t k = 0; k < plan.looks_a_window; ++k) {
       const bool ends = w + 1 == windows && k + 1 == plan.looks_a_window;
@@ -128,20 +128,8 @@ DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times
   DriftProblem<double> problem = scene.problem<double>();
   problem.times_s = std::move(times_s);
   problem.threshold_rad.reset();
-  IntegrationOptions again = first;
-  if (first.method == Method::long_horizon) {
-    again.kick_steps = kick_steps;
-  } else if (!is_exact(first.method) && first.method != Method::taylor && !scene.method_refusal(Method::taylor)) {
-    again.method = Method::taylor;
-    again.step_s.reset();
-    again.relative_tolerance = default_tolerance(Precision::bits53);
-    if (!problem.table) {
-      again.observer = Observer::laboratory;
-      again.form = ModelForm::automatic;
-      if (!takes_reduced_form(problem.model, again)) again.observer = Observer::body, again.form = ModelForm::general;
-    }
-  }
-  again.relative_tolerance = std::max(again.relative_tolerance, least_tolerance(Precision::bits53));
+  IntegrationOptions again = options_for_looks(scene, first, static_cast<double>(problem.times_s.size()));
+  if (again.method == first.method) again.kick_steps = kick_steps;
   return integrate_drift(problem, again, watch);
 }
 

@@ -60,8 +60,7 @@ LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first);
 /// Whether the first integration of a run can look between its rows for next to nothing.
 bool looks_between_rows(const IntegrationOptions& first, Precision precision);
 
-/// The motion at other times, from an integration in double precision that is made for these looks: by the run's own method if it can
-/// look at any time, otherwise by series, or by the run's method in scenes that have no series.
+/// The motion at other times, from an integration that is made for these looks, as options_for_looks has it (scene/parts.hpp).
 /// @param times_s  ascending, the release first   @param kick_steps  that the run's first integration has found
 DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
                                    const std::optional<KickSteps>& kick_steps, const Watch& watch);

@@ -33,7 +33,7 @@ DriftTrajectory<T> integrate_timed(const DriftProblem<T>& problem, const Integra
 /// Limits the steps of a method with equations of its own to the estimate, because such a method's number of steps is known in
 /// advance. long_horizon decides by trial whether to step over the nutation, and in a short run it may follow the nutation.
 IntegrationOptions within_estimate(const Scene& scene, IntegrationOptions options) {
-  constexpr double kShortRun = 1e6;  // steps
+  constexpr double kShortRun = 1e5;  // steps
   if (!options.stops_beyond_estimate || row_of(options.method).equations != MethodEquations::own) return options;
   Work work = scene.cost(options).work;
   if (!is_exact(options.method)) work.steps = std::max(work.steps, kShortRun);

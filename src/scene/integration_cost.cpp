@@ -32,7 +32,7 @@ double slowness(Precision precision) {
 /// Returns the time (s) of one evaluation for a top on a table.
 double seconds_on_table(const Scene& scene, const IntegrationOptions& options) {
   const bool reduced = scene.form(options) == ModelForm::reduced;
-  const double in_laboratory = reduced ? 5e-7 : 2e-6;
+  const double without_spin = options.method == Method::taylor ? 1.2e-6 : 5e-7, in_laboratory = reduced ? without_spin : 2e-6;
   return options.observer == Observer::inertial ? 1.5 * in_laboratory : in_laboratory;
 }
 
@@ -84,7 +84,25 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   return cost;
 }
 
-double seconds_looking(const Scene& scene, const IntegrationOptions& options, double looks) {
+IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks) {
+  IntegrationOptions again = first;
+  again.relative_tolerance = std::max(again.relative_tolerance, least_tolerance(Precision::bits53));
+  if (is_exact(first.method) || first.method == Method::taylor || scene.method_refusal(Method::taylor)) return again;
+  IntegrationOptions series = again;
+  series.method = Method::taylor;
+  series.step_s.reset();
+  series.relative_tolerance = default_tolerance(Precision::bits53);
+  if (!scene.scenario().contact) {
+    series.observer = Observer::laboratory;
+    series.form = ModelForm::automatic;
+    if (scene.form(series) != ModelForm::reduced) series.observer = Observer::body, series.form = ModelForm::general;
+  }
+  const bool steps_aside = is_long_horizon(scene, first);
+  return steps_aside && long_horizon_cost(scene, first, looks).seconds < cost_of(scene, series).seconds ? again : series;
+}
+
+double seconds_looking(const Scene& scene, const IntegrationOptions& first, double looks) {
+  const IntegrationOptions options = options_for_looks(scene, first, looks);
   return (is_long_horizon(scene, options) ? long_horizon_cost(scene, options, looks) : cost_of(scene, options)).seconds;
 }
 

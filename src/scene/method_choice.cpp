@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drift/long_horizon_work.hpp"
 #include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
 
@@ -36,24 +37,19 @@ double seconds_with(const Scene& scene, const IntegrationOptions& options) {
 /// difference has to be evaluated in 113 bits.
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
-/// Returns whether the axis stays near the angular momentum of the release: the nutation that the long-horizon method averages over is
-/// small, as that of a top let go slowly is, and that of one flung round is not.
-bool nutates_little(const Scene& scene) {
-  const Vec3<double> momentum = scene.body<double>().I_BP_B * scene.release<double>().w_XB_B;
-  return real::hypot(momentum[0], momentum[1]) < std::abs(momentum[2]);
-}
-
-/// Returns whether the long-horizon method pays. Its bound is wider than that of a series, so that it has to be clearly faster. The
-/// number of output rows has no part in it: they change no digit of a series.
+/// Returns whether the long-horizon method pays. Its bound is wider than that of a series: so it has to be clearly faster, and its error a
+/// small part of the drift, as predicted. The number of output rows has no part in it: they change no digit of a series.
 bool has_long_horizon(const Scene& given) {
-  constexpr double kGain = 1.5, kRows = 200;
-  if (given.method_refusal(Method::long_horizon) || !nutates_little(given)) return false;
+  constexpr double kGain = 1.5, kRows = 200, kOfDrift = 1e-4;
+  if (given.method_refusal(Method::long_horizon)) return false;
   Scenario usual = given.scenario();
   usual.output_step_s = usual.duration_s / kRows;
   const Scene scene = usual.output_step_s == given.scenario().output_step_s ? given : resolve(usual);
   IntegrationOptions options = scene.scenario().numerics;
   options.method = Method::long_horizon;
-  return kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));
+  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, 0);
+  return expected.error_rad <= kOfDrift * expected.drift_rad &&
+         kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));
 }
 
 /// Chooses for a top on a table, whose equations exist in laboratory and in inertial axes, without the spin if it is symmetric.

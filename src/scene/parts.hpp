@@ -32,6 +32,9 @@ inline constexpr int kJudgementLooks = 480;
 /// The same for one method: long_horizon takes a step aside for each look.
 constexpr int judgement_looks(Method method) { return method == Method::long_horizon ? kJudgementLooks / 8 : kJudgementLooks; }
 
+/// The most times at which a run looks at its motion for pictures and largest values.
+inline constexpr int kMostPictureLooks = 24'000;
+
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);
 double fastest_rate_of(const Scene& scene);
@@ -61,8 +64,13 @@ double closed_form_turn_rate_rad_s(const Scene& scene);
 
 // integration_cost.cpp: the cost of one integration with given options.
 IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);
-/// Returns the time (s) of one integration that is looked at so often between its rows: long_horizon takes a step aside for each look.
-double seconds_looking(const Scene& scene, const IntegrationOptions& options, double looks);
+/// Returns the options of an integration in double that is made for looks between the rows: by the method of a run if it can look at any
+/// time, otherwise by series, or by the run's method in scenes that have no series. long_horizon takes a step aside for each look, and
+/// series take its place where that is more work.
+/// @param first  of the run's first integration
+IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks);
+/// Returns the time (s) of that integration.
+double seconds_looking(const Scene& scene, const IntegrationOptions& first, double looks);
 /// Returns the time (s) of one right-hand side of both predictions and the deviation between them, in double and in the general
 /// form, including its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);
@@ -72,6 +80,11 @@ MethodChoice choose_method(const Scene& scene);
 
 // run_estimate.cpp: the cost of the run with the chosen method.
 RunEstimate estimate_run(const Scene& scene);
+/// Returns about how many times the motions of a run are held in memory for, at its rows and between them.
+/// @param between  whether the run looks between its rows
+double times_held(const Scene& scene, bool between);
+/// The most of these times that runs side by side hold together: some 150 MB.
+inline constexpr double kMostTimesHeld = 200'000;
 void refuse_unaffordable(const Scene& scene);
 
 }  // namespace earthtop

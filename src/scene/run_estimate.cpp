@@ -46,6 +46,12 @@ RowSeconds seconds_a_row(Precision precision) {
   return precision == Precision::bits53 ? RowSeconds{7e-7, 1e-6} : RowSeconds{3e-5, 1e-4};
 }
 
+/// Returns about how often a run looks at its motion for pictures.
+double picture_looks(const Scene& scene) {
+  constexpr double kLooksARadian = 2;
+  return kLooksARadian * scene.pace().axis_rate_rad_s * scene.scenario().duration_s;
+}
+
 /// Names the motion that dies out too fast on a table and what to take instead, by the key of the friction.
 std::pair<std::string_view, std::string_view> stiff_on_table(std::string_view pointer) {
   if (pointer == "/contact/regularisation_m_s") return {"slip", "a larger regularisation or a shorter duration"};
@@ -65,20 +71,24 @@ RunEstimate estimate_run(const Scene& scene) {
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();
   seconds.bound = second.seconds + row.integrated * scene.rows();
-  constexpr double kLooksARadian = 2, kMostLooks = 24'000;  // for pictures
-  const double looks = kLooksARadian * scene.pace().axis_rate_rad_s * scenario.duration_s;
-  seconds.rows = row.assessed * (scene.rows() + std::min(kMostLooks, looks));
+  const double looks = picture_looks(scene);
+  seconds.rows = row.assessed * scene.rows();
   // The drift is computed anew at the times of the largest values in half of the runs; where windows stand for a long run, they are
   // narrowed in two or three integrations more.
   constexpr double kOnce = 0.5, kNarrowed = 2.5;
-  seconds.largest =
-      seconds_looking(scene, scene.choice().options, std::min(kMostLooks, looks)) * (looks < kMostLooks ? kOnce : kNarrowed);
+  const double taken = std::min<double>(kMostPictureLooks, looks);
+  seconds.largest = row.assessed * taken +
+                    seconds_looking(scene, scene.choice().options, taken) * (looks < kMostPictureLooks ? kOnce : kNarrowed);
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = row.assessed * scene.rows();
   if (scenario.sensitivities)
     if (const SensitivityPlan plan = plan_sensitivities(scene, scenario.duration_s); plan.refusal.empty())
       seconds.sensitivities = plan.seconds;
   return estimate;
+}
+
+double times_held(const Scene& scene, bool between) {
+  return 2 + scene.rows() + kJudgementLooks + (between ? std::min<double>(kMostPictureLooks, picture_looks(scene)) : 0);
 }
 
 std::string about_seconds(double seconds, double limit_s) {

@@ -199,6 +199,7 @@ class Looks {
     DriftProblem<T> problem = bare_.template problem<T>();
     problem.release = begun;
     problem.times_s = {double(part) * part_s(), double(part) * part_s() + length_s};
+    problem.threshold_rad.reset();
     // Friction that brakes little in the whole run is left as it is; none may be so strong that it decides the steps.
     constexpr double kBrakes = 0.5, kWeak = 0.3;
     if (length_s < stands_for_s && pace_->damping > kBrakes)

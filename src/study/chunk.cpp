@@ -6,13 +6,10 @@
 #include <new>
 #include <span>
 
+#include "scene/parts.hpp"
+
 namespace earthtop::study {
 namespace {
-
-/// Largest number of output rows that the results of one batch may hold together, about 100 MB.
-constexpr double kMostRows = 200'000;
-
-double rows_of(const Scene& scene) { return 2 + scene.rows(); }
 
 std::vector<BatchOutcome> run_guarded(std::span<const Scene> scenes, const Watch& watch, bool between) {
   try {
@@ -57,13 +54,14 @@ std::vector<PointResult> compute(const Study& study, const Collector& collector,
       result.status = "refused";
     }
   }
+  const bool between = collector.looks_between();
   Parts parts(watch, static_cast<double>(scenes.size()));
   for (std::size_t begin = 0; begin < scenes.size();) {
     std::size_t end = begin + 1;
-    for (double rows = rows_of(scenes[begin]); end < scenes.size(); ++end)
-      if (rows += rows_of(scenes[end]); rows > kMostRows) break;
-    const auto outcomes = run_guarded(std::span(scenes).subspan(begin, end - begin),
-                                      parts.next(static_cast<double>(end - begin)), collector.looks_between());
+    for (double times = times_held(scenes[begin], between); end < scenes.size(); ++end)
+      if (times += times_held(scenes[end], between); times > kMostTimesHeld) break;
+    const auto outcomes =
+        run_guarded(std::span(scenes).subspan(begin, end - begin), parts.next(static_cast<double>(end - begin)), between);
     for (std::size_t i = begin; i < end; ++i) collector.collect(outcomes[i - begin], results[of_scene[i]]);
     begin = end;
   }

@@ -37,7 +37,11 @@ expect 2 study show missing
 on_stderr 'no such store'
 [ ! -e out ] || fault "a refused study left a directory"
 expect 0 study small.json --dry-run
-on_stdout '10 points'
+on_stdout '10 points, .* on one core, less than 0.1 MB on disk, [1-9][0-9]* MB of memory'
+expect 0 study small.json --dry-run --jobs 1 --json
+memory=$(sed -nE 's/.*"memory_bytes": ([0-9]+).*/\1/p' out.txt)
+expect 0 study small.json --dry-run --jobs 16 --json
+[ "$(sed -nE 's/.*"memory_bytes": ([0-9]+).*/\1/p' out.txt)" -gt "$memory" ] || fault "more jobs take no more memory"
 [ ! -e out ] || fault "a dry run left a directory"
 
 # A study that cannot succeed is refused before anything is written, a dry run of it too.
@@ -129,7 +133,7 @@ sed 's/"points": 800/"points": 40000/' many.json >long.json
 holder=$!
 while [ ! -s held/study.sqlite.lock ]; do sleep 0.01; done
 expect 2 study long.json --out held
-while [ "$(cut -d' ' -f14 "/proc/$holder/stat")" -lt 30 ]; do sleep 0.01; done # hundredths of a second of the processor
+while [ "$(cut -d' ' -f14 "/proc/$holder/stat")" -lt 60 ]; do sleep 0.01; done # hundredths of a second of the processor
 on_stderr "in use by process $holder on .*, since "
 kill -TERM $holder
 wait $holder

@@ -258,6 +258,16 @@ TEST(Svg, ExtremeNumbersStayInTheFrame) {
       EXPECT_EQ(count(picture, "inf"), 0U);
     }
   }
+  // All at one end of what a double holds: an axis of no length would have no place for them.
+  for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic})
+    for (const double end : {1e308, 5e307, 5e-324}) {
+      Figure figure = figure_of({end, end}, scale);
+      figure.x.scale = scale;
+      figure.panels[0].lines[0].x = {end, end};
+      const std::string picture = svg(figure);
+      expect_well_formed(picture);
+      EXPECT_EQ(picture.find("nan"), picture.npos);
+    }
 }
 
 TEST(Svg, TextIsEscaped) {

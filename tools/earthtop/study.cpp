@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <thread>
 
 #include "command_line.hpp"
 #include "earthtop/results/results.hpp"
@@ -58,18 +59,21 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   const StudyEstimate expected = estimate(study);
   const StudySample sample = sample_points(study);
   if (sample.common && !arguments.keep_going) throw *sample.common;
+  const double jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const double memory = expected.memory_bytes + jobs * expected.memory_bytes_a_job;
   if (arguments.json)
     print_json(JsonObject()
                    .put("name", study.name)
                    .put("points", expected.points)
                    .put("core_seconds", expected.core_seconds)
                    .put("disk_bytes", expected.disk_bytes)
+                   .put("memory_bytes", memory)
                    .put("points_looked_at", sample.looked_at)
                    .put("points_refused", sample.refused)
                    .put("study_sha256", study_sha256(study)));
   else
-    print(fmt::format("{}: {} points, {} on one core, {:.2g} MB\n", study.name, expected.points,
-                      about_seconds(expected.core_seconds), expected.disk_bytes / 1e6));
+    print(fmt::format("{}: {} points, {} on one core, {} on disk, {} of memory\n", study.name, expected.points,
+                      about_seconds(expected.core_seconds), bytes_text(expected.disk_bytes), bytes_text(memory)));
   if (!arguments.json && sample.refused > 0)
     print(wrapped(fmt::format("{} of {} points examined are refused, the first one because of {}", sample.refused,
                               sample.looked_at, sample.first_refusal),

@@ -112,6 +112,8 @@ struct StudyEstimate {
   std::uint64_t points = 0;
   double core_seconds = 0;
   double disk_bytes = 0;
+  double memory_bytes = 0;        ///< of the process with its store, without the motions that its threads hold
+  double memory_bytes_a_job = 0;  ///< of the motions that one thread holds
 };
 StudyEstimate estimate(const Study& study);
 
