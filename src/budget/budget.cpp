@@ -10,7 +10,7 @@
 #include <span>
 
 #include "budget/effects.hpp"
-#include "drift/drift_differences.hpp"
+#include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "scene/input_derivatives.hpp"
 #include "scene/sensitivity_route.hpp"

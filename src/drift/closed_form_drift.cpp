@@ -5,11 +5,11 @@
 #include <cmath>
 #include <optional>
 
-#include "drift/angle_follower.hpp"
 #include "drift/deviation_state.hpp"
 #include "drift/rate_change.hpp"
 #include "drift/release_rates.hpp"
-#include "drift/threshold_watch.hpp"
+#include "drift/watch/angle_follower.hpp"
+#include "drift/watch/threshold_watch.hpp"
 #include "integrate/closed_form_motion.hpp"
 #include "integrate/natural_times.hpp"
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "drift/closed_form_drift.hpp"
-#include "drift/compass_drift.hpp"
-#include "drift/contact_integration.hpp"
-#include "drift/drift_system.hpp"
-#include "drift/driven_reduced_drift.hpp"
 #include "drift/integrate_system.hpp"
-#include "drift/long_horizon_drift.hpp"
-#include "drift/reduced_drift_system.hpp"
+#include "drift/long_horizon/long_horizon_drift.hpp"
+#include "drift/pivot/compass_drift.hpp"
+#include "drift/pivot/drift_system.hpp"
+#include "drift/pivot/driven_reduced_drift.hpp"
+#include "drift/pivot/reduced_drift_system.hpp"
+#include "drift/table/contact_integration.hpp"
 
 namespace earthtop {
 namespace {

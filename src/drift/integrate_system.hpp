@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "drift/contact_run_watch.hpp"
 #include "drift/release_rates.hpp"
-#include "drift/step_watcher.hpp"
+#include "drift/table/contact_run_watch.hpp"
+#include "drift/watch/step_watcher.hpp"
 #include "integrate/drive_problem.hpp"
 
 namespace earthtop {

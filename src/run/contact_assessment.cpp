@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/contact_assessment.hpp"
 
-#include "drift/contact_integrals.hpp"
+#include "drift/table/contact_integrals.hpp"
 #include "earthtop/model/contact_invariants.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"

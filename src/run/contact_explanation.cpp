@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drift/contact_integrals.hpp"
+#include "drift/table/contact_integrals.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/general_contact.hpp"
 #include "run/contact_report.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "drift/contact_derivatives.hpp"
+#include "drift/derivatives/contact_derivatives.hpp"
 #include "earthtop/vectors.hpp"
 
 namespace earthtop {

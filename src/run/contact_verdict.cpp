@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "drift/contact_growth.hpp"
+#include "drift/derivatives/contact_growth.hpp"
 
 namespace earthtop {
 namespace {

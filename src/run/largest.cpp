@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "drift/close_in.hpp"
+#include "drift/watch/close_in.hpp"
 
 namespace earthtop {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "drift/problem_derivative.hpp"
+#include "drift/derivatives/problem_derivative.hpp"
 #include "scene/moved_input.hpp"
 #include "scene/parts.hpp"
 

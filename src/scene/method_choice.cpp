@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drift/long_horizon_work.hpp"
+#include "drift/long_horizon/long_horizon_work.hpp"
 #include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
 

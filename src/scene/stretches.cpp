@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "drift/growth_work.hpp"
+#include "drift/derivatives/growth_work.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "scene/parts.hpp"

@@ -2,7 +2,7 @@
 /// Checks of runs on a table over random scenes beside those of the bounds against a wider arithmetic.
 #pragma once
 
-#include "drift/contact_growth.hpp"
+#include "drift/derivatives/contact_growth.hpp"
 #include "earthtop/run.hpp"
 
 namespace earthtop::testing {

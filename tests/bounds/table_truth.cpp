@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bounds/table_truth.hpp"
 
-#include "drift/contact_reduced_drift.hpp"
+#include "drift/table/contact_reduced_drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "integrate/extrapolation.hpp"

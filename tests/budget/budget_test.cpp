@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "budget/effects.hpp"
-#include "drift/drift_differences.hpp"
+#include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/run.hpp"

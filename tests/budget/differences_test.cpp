@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "budget/effects.hpp"
-#include "drift/drift_differences.hpp"
+#include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "scene/input_derivatives.hpp"

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "drift/contact_derivatives.hpp"
+#include "drift/derivatives/contact_derivatives.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_series.hpp"

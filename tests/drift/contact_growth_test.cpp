@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Derivatives of the non-rotating prediction of a top on a table, and the growth of disturbances of its motion.
-#include "drift/contact_growth.hpp"
+#include "drift/derivatives/contact_growth.hpp"
 
 #include <gtest/gtest.h>
 
-#include "drift/contact_derivatives.hpp"
+#include "drift/derivatives/contact_derivatives.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_series.hpp"
 

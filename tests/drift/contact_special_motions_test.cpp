@@ -3,7 +3,7 @@
 /// stops, and a body without symmetry.
 #include <gtest/gtest.h>
 
-#include "drift/contact_slip_clock.hpp"
+#include "drift/table/contact_slip_clock.hpp"
 #include "support/contact_references.hpp"
 
 namespace earthtop {

@@ -2,7 +2,7 @@
 /// Runs under the exact Coulomb law: both motions slide to the stops of their slips, and roll on. And runs that an event ends.
 #include <gtest/gtest.h>
 
-#include "drift/contact_integration.hpp"
+#include "drift/table/contact_integration.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_series.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The drift at a small rate, interpolated between four larger ones: its error is that of the known drift, and within what is stated.
-#include "drift/rate_interpolation.hpp"
+#include "drift/long_horizon/rate_interpolation.hpp"
 
 #include <gtest/gtest.h>
 

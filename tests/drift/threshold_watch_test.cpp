@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The search for the first passing of a threshold, tested on drifts given by formulas: a trend with one or two oscillations,
 /// sampled as rarely as the long steps of some methods sample it.
-#include "drift/threshold_watch.hpp"
+#include "drift/watch/threshold_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -43,20 +43,20 @@ TORQUES = "AppliedTorques", "earthtop/model/applied_torques.hpp"
 CONTACT = "Contact", "earthtop/model/contact.hpp"
 MODEL = "Model", "earthtop/model/model.hpp"
 CARRIERS = [
-    (TORQUES, "src/drift/moved_problem.cpp"),  # problems with an input that is a little larger
+    (TORQUES, "src/drift/derivatives/moved_problem.cpp"),  # problems with an input that is a little larger
     (TORQUES, "src/scene/input_derivatives.cpp"),  # derivatives by an input
-    (TORQUES, "src/drift/sensitivity.cpp"),  # jets
+    (TORQUES, "src/drift/derivatives/sensitivity.cpp"),  # jets
     (TORQUES, "src/budget/effects.cpp"),  # the size of an effect
     (TORQUES, "src/integrate/taylor/record_motion.cpp"),  # series
-    (TORQUES, "src/drift/taylor/record_drift.cpp"),
-    (TORQUES, "src/drift/taylor/record_variations.cpp"),
-    (CONTACT, "src/drift/taylor/record_contact.cpp"),
+    (TORQUES, "src/drift/pivot/record_drift.cpp"),
+    (TORQUES, "src/drift/derivatives/record_variations.cpp"),
+    (CONTACT, "src/drift/table/record_contact.cpp"),
 ]
 # Sources that have to say of each member what becomes of it, whether it is listed or not: struct, source and reason.
 DECIDERS = [
-    (MODEL, "src/drift/moved_problem.cpp", NO_COUNTERPART),
+    (MODEL, "src/drift/derivatives/moved_problem.cpp", NO_COUNTERPART),
     (MODEL, "src/scene/input_derivatives.cpp", NO_COUNTERPART),
-    (MODEL, "src/drift/sensitivity.cpp", NO_COUNTERPART),
+    (MODEL, "src/drift/derivatives/sensitivity.cpp", NO_COUNTERPART),
     (CONTACT, "src/run/assemble.cpp", NOT_LISTED),
 ]
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "drift/contact_general_drift.hpp"
-#include "drift/contact_reduced_drift.hpp"
+#include "drift/table/contact_general_drift.hpp"
+#include "drift/table/contact_reduced_drift.hpp"
 #include "integrate/extrapolation.hpp"
 
 namespace earthtop::testing {

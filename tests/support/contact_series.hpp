@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "drift/contact_watch.hpp"
+#include "drift/table/contact_watch.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 #include "support/contact_runs.hpp"
 

@@ -7,12 +7,12 @@
 #include <tuple>
 #include <utility>
 
-#include "drift/drift_system.hpp"
 #include "drift/lanes/drift_kernels.hpp"
 #include "drift/lanes/general_drift_kernels.hpp"
 #include "drift/lanes/spherical_top_drift.hpp"
+#include "drift/pivot/drift_system.hpp"
 #include "drift/release_rates.hpp"
-#include "drift/step_watcher.hpp"
+#include "drift/watch/step_watcher.hpp"
 #include "integrate/lanes/choose_kernel.hpp"
 #include "integrate/lanes/schedule.hpp"
 #include "integrate/natural_times.hpp"

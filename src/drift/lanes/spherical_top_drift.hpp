@@ -36,7 +36,7 @@
 #include <cmath>
 
 #include "drift/lanes/drift_kernels.hpp"
-#include "drift/reduced_drift_system.hpp"
+#include "drift/pivot/reduced_drift_system.hpp"
 #include "integrate/lanes/schedule.hpp"
 
 namespace earthtop {

@@ -3,7 +3,7 @@
 // engine's size and which WebAssembly computes in software; and the places of the Sun and the Moon, since ERFA is a compiled library.
 #include "left_out.hpp"
 
-#include "drift/contact_integration.hpp"
+#include "drift/table/contact_integration.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/integrate/motion_integration.hpp"

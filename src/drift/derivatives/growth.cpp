@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
+//
+#include <algorithm>
+#include <array>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <cmath>
+#include <limits>
+
+#include "drift/derivatives/compass_variations.hpp"
+#include "drift/derivatives/driven_reduced_variations.hpp"
+#include "drift/derivatives/growth_work.hpp"
+#include "drift/derivatives/variations.hpp"
+#include "drift/stability.hpp"
+#include "earthtop/drift/growth.hpp"
+#include "integrate/taylor/taylor_stepper.hpp"
+
+namespace earthtop {
+namespace {
+
+constexpr double kRescaled = 1e3;  // a disturbance is brought back to size 1 when it has grown by this
+constexpr double kPointSpacing = 0.1;
+constexpr double kSignificantEFoldings = 2;  // e-foldings in the second half: an oscillation of the growth may make as many
+constexpr double kTurning = 1e-10;           // rad, a step: dry friction turns round with the motion, and disturbances jump
+
+/// Follows the sizes of the disturbances, and brings them back to 1 before they overflow.
+template <class System>
+class Follower {
+ public:
+  using State = typename System::State;
+  Follower(const System& system, double fastest_rate, State& x) : system_(&system), rate_(fastest_rate) {
+    constexpr double kDirections[kDisturbances][6] = {{1, 1, 1, 1, 1, 1}, {1, -1, 1, -1, 1, -1}, {1, 1, -1, -1, 0, 0}};
+    for (std::size_t d = 0; d < kDisturbances; ++d) {
+      const double(&c)[6] = kDirections[d];
+      system.put_disturbance({c[0], c[1], c[2]}, {c[3] * rate_, c[4] * rate_, c[5] * rate_}, x, d);
+    }
+    system.restrict(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) system.scale(x, d, 1 / size(x, d));
+  }
+  /// Takes in the state after a step. @returns the logarithm of the largest growth of the three disturbances
+  double include(State& x) {
+    system_->restrict(x);
+    has_rescaled_ = false;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t d = 0; d < kDisturbances; ++d) {
+      const double grown = size(x, d);
+      largest = std::max(largest, log_scale_[d] + real::log(grown));
+      if (!(grown > kRescaled)) continue;
+      log_scale_[d] += real::log(grown);
+      system_->scale(x, d, 1 / grown);
+      has_rescaled_ = true;
+    }
+    return largest;
+  }
+  /// Whether the last state taken in was changed.
+  bool has_rescaled() const { return has_rescaled_; }
+
+ private:
+  double size(const State& x, std::size_t d) const {
+    return real::hypot(norm(system_->theta(x, d)), norm(system_->dw(x, d)) / rate_);
+  }
+
+  const System* system_;
+  double rate_;
+  std::array<double, kDisturbances> log_scale_ = {};
+  bool has_rescaled_ = false;
+};
+
+enum class Step { taken, rejected, failed };
+
+/// Steps of Fehlberg's method of order 8.
+template <class System>
+class EmbeddedSteps {
+ public:
+  using State = typename System::State;
+  EmbeddedSteps(const System& system, const State&, double tolerance, double first_step, double shortest)
+      : system_(&system),
+        stepper_(boost::numeric::odeint::make_controlled<Fehlberg>(tolerance, tolerance)),
+        dt_(first_step),
+        shortest_(shortest) {}
+  /// Shows the states at which a motion is looked at: the end of the last step.
+  template <class Look>
+  void look(const State& x, double t, const Look& look) const {
+    look(t, x);
+  }
+  /// Takes a step, not beyond the end.
+  Step take(State& x, double& t, double end, std::int64_t& evaluations) {
+    dt_ = std::min(dt_, end - t);
+    if (dt_ < std::min(shortest_, end - t)) return Step::failed;
+    evaluations += kStages;
+    if (stepper_.try_step(*system_, x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
+    return t + dt_ > t ? Step::rejected : Step::failed;
+  }
+  void restart(const State&, double) {}
+
+ private:
+  using Fehlberg = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
+  static constexpr int kStages = 13;
+  const System* system_;
+  typename boost::numeric::odeint::result_of::make_controlled<Fehlberg>::type stepper_;
+  double dt_, shortest_;
+};
+
+/// Steps of a Taylor series.
+template <class System>
+class SeriesSteps {
+ public:
+  using State = typename System::State;
+  SeriesSteps(const System& system, const State& x, double tolerance, double, double)
+      : series_(system.series()), stepper_(tolerance, scales_) {
+    restart(x, 0);
+  }
+  /// Shows some states of the last step, which may be long.
+  template <class Look>
+  void look(const State& x, double t, const Look& look) const {
+    constexpr int kLooks = 8;
+    const double step = stepper_.current_time_step();
+    State between;
+    for (int i = 1; i < kLooks; ++i) {
+      stepper_.state_after(step * i / kLooks, between);
+      look(t - step * (kLooks - i) / kLooks, between);
+    }
+    look(t, x);
+  }
+  Step take(State& x, double& t, double end, std::int64_t& evaluations) {
+    stepper_.limit_step(std::min(end / kFewestGrowthSteps, end - t));
+    stepper_.do_step(series_);
+    evaluations += stepper_.evaluations();
+    const double step = stepper_.current_time_step();
+    if (!(step > 0) || !(t + step > t) || !all_finite(stepper_.current_state())) return Step::failed;
+    t = step < end - t ? stepper_.current_time() : end;
+    x = stepper_.current_state();
+    scales_.include(x);
+    return Step::taken;
+  }
+  void restart(const State& x, double t) {
+    scales_.include(x);
+    stepper_.initialize(x, t);
+  }
+
+ private:
+  GroupScales<double, typename System::Shape> scales_;
+  typename System::Series series_;
+  taylor::TaylorStepper<double, System> stepper_;
+};
+
+/// The slope of a line fitted to values over the second half of the duration, each weighted by the length of its step.
+class LateSlope {
+ public:
+  explicit LateSlope(double end) : middle_(0.75 * end), half_(end / 2) {}
+  void include(double t, double dt, double value) {
+    if (t < half_) return;
+    const double x = t - middle_;
+    weight_ += dt, x_ += dt * x, xx_ += dt * x * x, y_ += dt * value, xy_ += dt * x * value;
+    reached_ = t;
+  }
+  /// The slope; none where less than half of the second half was reached, 0 where the line changes by less than kSignificantEFoldings.
+  std::optional<double> slope() const {
+    const double spread = weight_ * xx_ - x_ * x_;
+    if (reached_ < middle_ || !(spread > 0)) return std::nullopt;
+    const double slope = (weight_ * xy_ - x_ * y_) / spread;
+    return std::abs(slope) * half_ < kSignificantEFoldings ? 0 : slope;
+  }
+
+ private:
+  double middle_, half_, reached_ = 0;
+  double weight_ = 0, x_ = 0, xx_ = 0, y_ = 0, xy_ = 0;
+};
+
+/// Finds when friction brakes an upright top to its critical spin, by a line through the two steps around that time. A leaning
+/// top counts as upright if its nutation has brought it within a tenth of a radian of the vertical during the last period.
+class CriticalSpin {
+ public:
+  explicit CriticalSpin(const Model<double>& model) : model_(&model), sought_(model.applied.friction()) {}
+  void include(double t, const Motion<double>& motion) {
+    if (!sought_) return;
+    const auto top = standing_top(*model_, motion.q, motion.m);
+    if (!top) return;
+    if (top->lean_rad <= kUpright) upright_at_ = t;
+    const double above = top->spin_ratio_squared - 1;
+    if (above < 0) {
+      sought_ = false;
+      if (t - upright_at_ > 2 * real::pi<double>() / top->falling_rate) return;
+      passed_ = above_before_ >= 0 ? before_ + (t - before_) * above_before_ / (above_before_ - above) : t;
+    }
+    above_before_ = above, before_ = t;
+  }
+  std::optional<double> passed() const { return passed_ < 0 ? std::nullopt : std::optional(passed_); }
+
+ private:
+  /// Largest lean (rad). What such a top falls by grows tenfold at least; one that leans further only comes to lean more.
+  static constexpr double kUpright = 0.1;
+
+  const Model<double>* model_;
+  bool sought_;
+  double upright_at_ = -HUGE_VAL, before_ = 0, above_before_ = -1, passed_ = -1;
+};
+
+/// How far gravity's direction, as seen from the body, and the rate, in units of w0, have departed from those at release.
+class Departure {
+ public:
+  Departure(const Model<double>& model, const Motion<double>& release, double rate)
+      : axis_(symmetry_axis(model.I_BP_B, model.mass_moment_B)), up_L_(model.apparent_gravity_L), rate_(rate) {
+    if (norm(up_L_) > 0) up_L_ /= norm(up_L_);
+    up_B_ = seen_up(release);
+    w_B_ = seen_rate(release);
+  }
+  double of(const Motion<double>& motion) const {
+    return norm(Vec3<double>(seen_up(motion) - up_B_)) + norm(Vec3<double>(seen_rate(motion) - w_B_)) / rate_;
+  }
+
+ private:
+  Vec3<double> seen_up(const Motion<double>& motion) const {
+    return without_turn(transposed_times(rotation_matrix(motion.q), up_L_));
+  }
+  Vec3<double> seen_rate(const Motion<double>& motion) const { return without_turn(motion.m); }
+  /// For a symmetric body: the parts of a vector along and across its axis, which a turn of the body about it does not change.
+  Vec3<double> without_turn(const Vec3<double>& v_B) const {
+    if (axis_ < 0) return v_B;
+    return {real::hypot(v_B[(axis_ + 1) % 3], v_B[(axis_ + 2) % 3]), 0, v_B[axis_]};
+  }
+
+  int axis_;
+  Vec3<double> up_L_;
+  double rate_;
+  Vec3<double> up_B_, w_B_;
+};
+
+/// @tparam kEarth  whether to follow the motion on the rotating Earth, or the non-rotating prediction
+template <bool kEarth, class System, class Steps>
+GrowthReport follow(System system, const MotionProblem<double>& problem, double duration_s, double tolerance,
+                    const Watch& watch) {
+  const Model<double>& model = problem.model;
+  const double rate = problem.fastest_rate, end = problem.units.time_from_s(duration_s);
+  const auto seconds = [&](double t) { return real::scale(t, problem.units.time_exponent); };
+
+  Motion<double> release{problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B)};
+  if (kEarth && problem.release.X == RatesRelativeTo::laboratory)
+    release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
+  typename System::State x = system.initial_state(release);
+  Follower<System> follower(system, rate, x);
+  const Departure departure(model, release, rate);
+  CriticalSpin critical_spin(model);
+  critical_spin.include(0, release);
+  LateSlope late(end);
+
+  // Dry friction turns round with the motion, and disturbances jump: there no step is long enough.
+  const double shortest = model.applied.coulomb != 0 ? kTurning / rate : 0;
+  Steps steps(system, x, tolerance, std::min(end, 0.1 / rate), shortest);
+  GrowthReport report;
+  double t = 0;
+  const WorkLimit limit = problem.pace.known() ? work_limit_for(growth_work(problem, duration_s, tolerance)) : WorkLimit();
+  const std::int64_t most = std::min(kMostGrowthSteps, limit.steps);
+  std::int64_t count = 0;
+  StepCounters& counters = report.counters;
+  for (; t < end && count < most; ++count) {
+    if (watch.asks_to_stop()) return report;
+    if (count % 64 == 0) watch.reach(t / end);
+    const double before = t;
+    const Step step = steps.take(x, t, end, counters.evaluations);
+    if (step == Step::failed) return report;
+    if (step == Step::rejected) {
+      ++counters.rejected;
+      continue;
+    }
+    ++counters.accepted;
+    steps.look(x, t, [&](double at, const auto& state) {
+      const Motion<double> motion = system.motion(state);
+      critical_spin.include(at, motion);
+      if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
+    });
+    const double log_growth = follower.include(x);
+    if (follower.has_rescaled()) steps.restart(x, t);
+    if (!std::isfinite(log_growth)) return report;
+    const double log_regular = real::log(1 + rate * t);
+    late.include(t, t - before, log_growth - log_regular);
+    report.end_s = seconds(t);
+    report.mean_exponent_1_s = log_growth / report.end_s;
+    if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
+    if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
+    if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = report.end_s;
+    if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
+      report.rises.push_back({report.end_s, log_growth});
+  }
+  report.completed = count < most;
+  return report;
+}
+
+template <bool kEarth>
+GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
+  const auto by = [&]<class System, template <class> class Steps>(const System& system) {
+    return follow<kEarth, System, Steps<System>>(system, problem, duration_s, tolerance, watch);
+  };
+  const Model<double>& model = problem.model;
+  if (model.kind == SceneKind::plain) {
+    using System = GeneralVariations<kEarth, SceneKind::plain>;
+    return by.template operator()<System, EmbeddedSteps>(System(model));
+  }
+  if (has_spinless_series(problem, duration_s)) {
+    if (is_compass(model)) {
+      using Compass = CompassVariations<kEarth>;
+      return by.template operator()<Compass, SeriesSteps>(Compass(problem));
+    }
+    using System = DrivenReducedVariations<kEarth>;
+    return by.template operator()<System, SeriesSteps>(System(problem));
+  }
+  using System = GeneralVariations<kEarth, SceneKind::full>;
+  return by.template operator()<System, EmbeddedSteps>(System(model));
+}
+
+}  // namespace
+
+std::optional<double> GrowthReport::passes_s(double log_growth) const {
+  const auto point = std::lower_bound(rises.begin(), rises.end(), log_growth,
+                                      [](const GrowthPoint& p, double level) { return p.log_growth < level; });
+  return point == rises.end() ? std::nullopt : std::optional(point->t_s);
+}
+
+GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
+                                const Watch& watch) {
+  return kind == MotionKind::rotating ? follow<true>(problem, duration_s, tolerance, watch)
+                                      : follow<false>(problem, duration_s, tolerance, watch);
+}
+
+}  // namespace earthtop

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
+//
+#include "drift/table/contact_integration.ipp"
+
+namespace earthtop {
+template DriftTrajectory<float128> integrate_contact(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
+}  // namespace earthtop
