@@ -162,9 +162,11 @@ std::string compact_reference(const Comparand& results, Json history, const std:
   std::string rows_text;
   Row row;
   std::uint64_t number = 0, kept = 0, kept_rows = 0;
+  // Equally spaced, the ends included.
+  const auto wanted = [last](std::uint64_t k) { return (k * last + (kRows - 1) / 2) / (kRows - 1); };
   for (; rows->next(row); ++number) {
-    if (number != (kept * last + (kRows - 1) / 2) / (kRows - 1)) continue;  // equally spaced, the ends included
-    while (number == (kept * last + (kRows - 1) / 2) / (kRows - 1) && kept < kRows) ++kept;
+    if (number != wanted(kept)) continue;
+    while (number == wanted(kept) && kept < kRows) ++kept;
     rows_text += (rows_text.empty() ? "" : ",\n") + row_text(row, places);
     ++kept_rows;
   }

@@ -20,7 +20,8 @@ struct Suite {
       cases += "/>\n";
       return;
     }
-    ++(tag == "error" ? errors : tag == "skipped" ? skipped : failures);
+    std::size_t& count = tag == "error" ? errors : tag == "skipped" ? skipped : failures;
+    ++count;
     cases += fmt::format(">\n      <{} message=\"{}\"/>\n    </testcase>\n", tag, escape_xml(message));
   }
   /// The counts as attributes.

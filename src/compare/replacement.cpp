@@ -285,7 +285,7 @@ void Replacement::write_journal() {
     text += '\0';
   }
   text += checksum_text(checksum_of(text));
-  // Until it is complete it has the name of a journal that says nothing.
+  // It gets its own name when it is complete: under the name of a draft nobody acts on it.
   const fs::path draft = stage_ / kDraft;
   try {
     write_durably(draft, journal_, [&](const FileSet::Sink& sink) { sink(text); });
@@ -332,7 +332,7 @@ void finish_update_in(const fs::path& directory) {
     if (!lock.is_held() || has_begun()) return;
     try {
       remove_tree(stage);
-    } catch (const FileError&) {  // who may only read is not hindered by it
+    } catch (const FileError&) {  // a reader without the right to write goes on: what is left does no harm
     } catch (const ScenarioError&) {
     }
     return;

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "run/assemble.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "run/assemble.hpp"
 #include "run/assessment.hpp"
 #include "run/contact_assessment.hpp"
 #include "run/contact_report.hpp"
@@ -137,6 +136,160 @@ const IntegrationReport& limited(const RunResult& result) {
 }
 std::int64_t steps_of(const IntegrationReport& report) { return report.counters.accepted + report.counters.rejected; }
 
+/// Makes the result of a run from its integrations, in stages that take seconds for millions of rows.
+template <class T>
+class Assembly {
+ public:
+  Assembly(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts, const RunOptions& options)
+      : scene_(scene),
+        scenario_(scene.scenario()),
+        made_(std::move(made)),
+        seconds_(seconds),
+        parts_(std::move(parts)),
+        options_(options),
+        rows_(parts_.next(seconds.rows)),
+        table_(contact_rows<T>(scene, made_.first.contact_events)) {
+    result_.scene = result_.modelled = scene;
+    result_.solution = made_.solution;
+    result_.certificate = made_.certificate;
+    result_.status = made_.first.status != RunStatus::completed ? made_.first.status : made_.second.status;
+  }
+
+  RunResult result() {
+    static constexpr void (Assembly::*kStages[])() = {&Assembly::compare,        &Assembly::look,
+                                                      &Assembly::report_contact, &Assembly::judge,
+                                                      &Assembly::differentiate,  &Assembly::take_invariants,
+                                                      &Assembly::find_trend,     &Assembly::find_largest,
+                                                      &Assembly::explain,        &Assembly::keep_ledger};
+    for (const auto stage : kStages) {
+      (this->*stage)();
+      if (stops()) return stopped(scene_, made_, options_.partial);
+    }
+    add_notes();
+    return std::move(result_);
+  }
+
+ private:
+  bool stops() const { return rows_.asks_to_stop(); }
+
+  /// Makes the rows, and the bounds from the distance of the two integrations.
+  void compare() {
+    between_ = take_between(made_);
+    DriftBound<T> bound(kSafety, scenario_.contact ? kOnTable : kOnPivot);
+    const std::size_t count = std::min(made_.first.samples.size(), made_.second.samples.size());
+    const std::size_t steps = is_exact(made_.options.method) ? 0 : static_cast<std::size_t>(made_.first.counters.accepted);
+    std::size_t compared = 0;
+    T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
+    double turned = 0;
+    for (std::size_t i = 0; i < count && !stops(); ++i) {
+      if (i % 64 == 0) rows_.reach(static_cast<double>(i) / static_cast<double>(count));
+      for (const std::size_t ahead = compared_ahead(made_.looks, i, count); compared < ahead; ++compared) {
+        const DriftSample<T>& sample = made_.first.samples[compared];
+        const DriftSample<T>& second = made_.second.samples[compared];
+        bound.include(sample.measures, second.measures, sample.state.epsilon);
+        if (sample.contact && second.contact) bound.include(*sample.contact, *second.contact, sample.state.epsilon);
+        bound.include_stated(sample.drift_error);
+      }
+      const DriftSample<T>& sample = made_.first.samples[i];
+      const DriftSample<T>& other = made_.second.samples[i];
+      if (made_.looks.serves(i, LookFor::row)) add_row(make_row(sample, bound, table_), result_);
+      if (made_.looks.serves(i, LookFor::judgement)) judged_.push_back(judged_look(sample, bound));
+      const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
+                                               {sample.state.ref_q_LB, other.state.ref_q_LB}};
+      turned = std::max(turned, turned_by_rounding(sample, table_.has_value(), steps, scenario_.duration_s));
+      // Where the method states no error, only an angle that may be the largest so far counts.
+      const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
+      if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
+      farthest = std::max(farthest, squared);
+      const double distance = std::max(distances[0].angle(), distances[1].angle());
+      result_.attitude_bound_rad =
+          std::max(result_.attitude_bound_rad, kSafety * distance + static_cast<double>(sample.attitude_error));
+    }
+    result_.attitude_bound_rad += turned;
+  }
+
+  void look() {
+    result_.reached_s = result_.rows.empty() ? 0 : result_.rows.back().t_s;
+    result_.drift = summarize_drift(result_.rows, scene_.rotation_rate_rad_s());
+    if (scenario_.threshold_rad && has_drift(result_))
+      assess_threshold(made_, *scenario_.threshold_rad, kSafety, result_.drift);
+    result_.stops = assess_stops(made_, kSafety);
+    if (has_drift(result_)) azimuths_ = look_between(scene_, made_, std::move(between_), judged_, rows_, result_);
+  }
+
+  void report_contact() {
+    keep(LookFor::row, LookFor::row, made_.looks, made_.first.samples);
+    if (!table_) return;
+    result_.contact = ContactReport{assess_contact_events(made_.first, made_.second, kSafety), 0, {}};
+    const auto balances = assess_contact_balances(scene_, made_.first.samples, result_.rows.size());
+    result_.contact->rotating = balances[0], result_.contact->reference = balances[1];
+  }
+
+  void judge() {
+    const Watch growth = parts_.next(seconds_.growth, "growth of disturbances");
+    result_.verdict = assess_verdict(result_, judged_, growth);
+    if (!options_.between && result_.verdict.earth_grown_s) {
+      // Few looks tell only roughly when the drift has grown.
+      made_.plan = plan_looks(scene_, made_.options);
+      look_between(scene_, made_, {}, judged_, rows_, result_);
+      result_.verdict = assess_verdict(result_, judged_, growth);
+    }
+    mark_rows(result_);
+    if (table_) assess_prediction_changes(result_, rows_);
+    // The two integrations can agree on a threshold crossing although rounding has moved it in both.
+    if (const auto& passed_s = result_.drift.threshold_time_s; passed_s && !result_.verdict.trusts(*passed_s)) {
+      result_.drift.threshold_crossing = ThresholdCrossing::uncertain;
+      result_.drift.threshold_time_bound_s.reset();
+    }
+  }
+
+  void differentiate() {
+    if (has_drift(result_))
+      result_.sensitivities = assess_sensitivities(result_, parts_.next(seconds_.sensitivities, "sensitivities"));
+  }
+  void take_invariants() {
+    if (!has_drift(result_)) return;
+    result_.invariants = scenario_.contact ? assess_contact_invariants(scene_, made_.first.samples, result_.rows.size(), rows_)
+                                           : assess_invariants(result_, rows_);
+  }
+  void find_trend() {
+    if (has_drift(result_)) result_.drift.secular = assess_trend(result_, made_.plan.trend, azimuths_);
+  }
+  void find_largest() {
+    if (has_drift(result_) && options_.between)
+      assess_largest(source_of(scene_, made_, parts_.next(seconds_.largest, "largest drifts")), judged_, result_);
+  }
+  void explain() {
+    if (!has_drift(result_)) return;
+    result_.theory = assess_theory(scene_, result_.looks, result_.drift);
+    result_.why = why_sentences(result_);
+  }
+  void keep_ledger() {
+    const Watch ledger = parts_.next(seconds_.ledger, "ledger");
+    result_.ledger = scenario_.contact ? assess_contact_ledger(scene_, made_.first.samples, result_.rows.size(), ledger)
+                                       : assess_ledger(result_, ledger);
+  }
+
+  void add_notes() {
+    if (const auto note = note_on_air(result_)) result_.notes.push_back(*note);
+    if (const std::string why = why_limited(result_); !why.empty()) result_.notes.push_back(why);
+    if (!scenario_.effects.all_on()) result_.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
+  }
+
+  const Scene& scene_;
+  const Scenario& scenario_;
+  TwoIntegrations<T> made_;
+  const RunSeconds& seconds_;
+  Parts parts_;
+  const RunOptions& options_;
+  const Watch rows_;
+  std::optional<ContactRows<T>> table_;  ///< of a top on a table
+  RunResult result_;
+  std::vector<DriftSample<double>> between_;  ///< what the first integration has shown between its rows
+  std::vector<JudgedLook> judged_;
+  std::vector<AzimuthSample> azimuths_;
+};
+
 }  // namespace
 
 bool stopped_beyond_estimate(const RunResult& result) {
@@ -197,104 +350,7 @@ void describe(const DriftProblem<T>& problem, const IntegrationOptions& options,
 template <class T>
 RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const RunSeconds& seconds, Parts parts,
                           const RunOptions& options) {
-  const Scenario& scenario = scene.scenario();
-  const Watch rows = parts.next(seconds.rows);
-  const auto stop = [&] { return rows.asks_to_stop(); };
-  RunResult result;
-  result.scene = result.modelled = scene;
-  result.solution = made.solution;
-  result.certificate = made.certificate;
-  result.status = made.first.status != RunStatus::completed ? made.first.status : made.second.status;
-
-  std::vector<DriftSample<double>> between = take_between(made);
-
-  // The following work takes seconds for millions of rows.
-  DriftBound<T> bound(kSafety, scenario.contact ? kOnTable : kOnPivot);
-  std::vector<JudgedLook> judged;
-  const std::optional<ContactRows<T>> table = contact_rows<T>(scene, made.first.contact_events);
-  const std::size_t count = std::min(made.first.samples.size(), made.second.samples.size());
-  const std::size_t steps = is_exact(made.options.method) ? 0 : static_cast<std::size_t>(made.first.counters.accepted);
-  std::size_t compared = 0;
-  T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
-  double turned = 0;
-  for (std::size_t i = 0; i < count && !stop(); ++i) {
-    if (i % 64 == 0) rows.reach(static_cast<double>(i) / static_cast<double>(count));
-    for (const std::size_t ahead = compared_ahead(made.looks, i, count); compared < ahead; ++compared) {
-      const DriftSample<T>& sample = made.first.samples[compared];
-      const DriftSample<T>& second = made.second.samples[compared];
-      bound.include(sample.measures, second.measures, sample.state.epsilon);
-      if (sample.contact && second.contact) bound.include(*sample.contact, *second.contact, sample.state.epsilon);
-      bound.include_stated(sample.drift_error);
-    }
-    const DriftSample<T>& sample = made.first.samples[i];
-    const DriftSample<T>& other = made.second.samples[i];
-    if (made.looks.serves(i, LookFor::row)) add_row(make_row(sample, bound, table), result);
-    if (made.looks.serves(i, LookFor::judgement)) judged.push_back(judged_look(sample, bound));
-    const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
-                                             {sample.state.ref_q_LB, other.state.ref_q_LB}};
-    turned = std::max(turned, turned_by_rounding(sample, table.has_value(), steps, scenario.duration_s));
-    // Where the method states no error, only an angle that may be the largest so far counts.
-    const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
-    if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
-    farthest = std::max(farthest, squared);
-    const double distance = std::max(distances[0].angle(), distances[1].angle());
-    result.attitude_bound_rad =
-        std::max(result.attitude_bound_rad, kSafety * distance + static_cast<double>(sample.attitude_error));
-  }
-  result.attitude_bound_rad += turned;
-  if (stop()) return stopped(scene, made, options.partial);
-  result.reached_s = result.rows.empty() ? 0 : result.rows.back().t_s;
-  result.drift = summarize_drift(result.rows, scene.rotation_rate_rad_s());
-  if (scenario.threshold_rad && has_drift(result)) assess_threshold(made, *scenario.threshold_rad, kSafety, result.drift);
-  result.stops = assess_stops(made, kSafety);
-  std::vector<AzimuthSample> azimuths;
-  if (has_drift(result)) azimuths = look_between(scene, made, std::move(between), judged, rows, result);
-  if (stop()) return stopped(scene, made, options.partial);
-  keep(LookFor::row, LookFor::row, made.looks, made.first.samples);
-  if (table) {
-    result.contact = ContactReport{assess_contact_events(made.first, made.second, kSafety), 0, {}};
-    const auto balances = assess_contact_balances(scene, made.first.samples, result.rows.size());
-    result.contact->rotating = balances[0], result.contact->reference = balances[1];
-  }
-  if (stop()) return stopped(scene, made, options.partial);
-  const Watch growth = parts.next(seconds.growth, "growth of disturbances");
-  result.verdict = assess_verdict(result, judged, growth);
-  if (!options.between && result.verdict.earth_grown_s) {
-    // Few looks tell only roughly when the drift has grown.
-    made.plan = plan_looks(scene, made.options);
-    look_between(scene, made, {}, judged, rows, result);
-    result.verdict = assess_verdict(result, judged, growth);
-  }
-  mark_rows(result);
-  if (table) assess_prediction_changes(result, rows);
-  // The two integrations can agree on a threshold crossing although rounding has moved it in both.
-  if (const auto& passed_s = result.drift.threshold_time_s; passed_s && !result.verdict.trusts(*passed_s)) {
-    result.drift.threshold_crossing = ThresholdCrossing::uncertain;
-    result.drift.threshold_time_bound_s.reset();
-  }
-  if (stop()) return stopped(scene, made, options.partial);
-  if (has_drift(result)) {
-    result.sensitivities = assess_sensitivities(result, parts.next(seconds.sensitivities, "sensitivities"));
-    if (stop()) return stopped(scene, made, options.partial);
-    result.invariants = scenario.contact ? assess_contact_invariants(scene, made.first.samples, result.rows.size(), rows)
-                                         : assess_invariants(result, rows);
-    if (stop()) return stopped(scene, made, options.partial);
-    result.drift.secular = assess_trend(result, made.plan.trend, azimuths);
-    if (stop()) return stopped(scene, made, options.partial);
-    if (options.between) assess_largest(source_of(scene, made, parts.next(seconds.largest, "largest drifts")), judged, result);
-    if (stop()) return stopped(scene, made, options.partial);
-    result.theory = assess_theory(scene, result.looks, result.drift);
-    result.why = why_sentences(result);
-    if (stop()) return stopped(scene, made, options.partial);
-  }
-  const Watch ledger = parts.next(seconds.ledger, "ledger");
-  result.ledger = scenario.contact ? assess_contact_ledger(scene, made.first.samples, result.rows.size(), ledger)
-                                   : assess_ledger(result, ledger);
-  if (stop()) return stopped(scene, made, options.partial);
-  if (const auto note = note_on_air(result)) result.notes.push_back(*note);
-  if (const std::string why = why_limited(result); !why.empty()) result.notes.push_back(why);
-  if (!scenario.effects.all_on()) result.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
-  return result;
+  return Assembly<T>(scene, std::move(made), seconds, std::move(parts), options).result();
 }
 
 #define EARTHTOP_ASSEMBLE(T)                                                                                                \

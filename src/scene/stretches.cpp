@@ -144,7 +144,7 @@ class Looks {
     if constexpr (std::is_same_v<T, double>) {
       const DriftProblem<double>& problem = bare_.template problem<double>();
       const auto tolerance = growth_tolerance(problem, whole_s_);
-      if (!tolerance || has_spinless_series(problem, whole_s_)) return;
+      if (!tolerance || has_smooth_series(problem, whole_s_)) return;
       const Work rule = variational_work(*pace_, whole_s_, *tolerance);
       const auto stretch =
           long_enough(kFewSteps * whole_s_ / rule.steps, whole_s_, kLonger * kEnough<T>,
@@ -167,7 +167,8 @@ class Looks {
           const double steps_a_second = stretch->steps_a_second() * (at_release > 0 ? motion / at_release : 1);
           const StepRate rate{row_of(options.method).cost.order_inverse, kStepsBeforeGrowth / steps_a_second, steps_a_second,
                               steps_a_second, motion};
-          found += stretch->taken * (steps_in(part, rate) / stretch->taken.steps);
+          constexpr double kSettled = 0.95;  // when disturbances have come to lie in the direction of growth, as measured
+          found += stretch->taken * (kSettled * steps_in(part, rate) / stretch->taken.steps);
         }
       }
       found = {std::max(found.steps, stretch->taken.steps), std::max(found.evaluations, stretch->taken.evaluations)};

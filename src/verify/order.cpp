@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dependence of the error of a fixed-step method on its step.
+// The dependence of the error of a fixed-step method on its step: the order of the method, and resonances of the step with the motion.
 #include <algorithm>
 #include <cmath>
 
@@ -17,11 +17,15 @@ long fewest_parts(const Scenario& scenario) {
   return std::lround(std::ceil(scenario.output_step_s / *scenario.numerics.step_s));
 }
 
-constexpr double kStepCountRatio = 1.01;  // ratio of successive step counts in a search for resonances, over two octaves
+constexpr double kStepCountRatio =
+    1.01;  // of successive step counts in a search for resonances, from the fewest to kMost times these
+constexpr double kMost = 4;
 
-/// Number of steps from row to row, summed over all trajectories of a criterion.
+/// Number of steps from row to row, summed over all trajectories of a criterion: a geometric series in a search for resonances; for the
+/// order of a method, the fewest and twice as many.
 double steps_of(const CriterionSpec& criterion, double fewest) {
-  return fewest * (criterion.quantity == "step_resonance" ? (4 - 1) / (kStepCountRatio - 1) : 1 + 2);
+  const bool is_search = criterion.quantity == "step_resonance";
+  return fewest * (is_search ? (kMost - 1) / (kStepCountRatio - 1) : 1 + 2);
 }
 
 /// Errors of a scene's rotating motion with its method at various steps, relative to a Taylor series solution at its finest

@@ -49,7 +49,7 @@ CARRIERS = [
     (TORQUES, "src/budget/effects.cpp"),  # the size of an effect
     (TORQUES, "src/integrate/taylor/record_motion.cpp"),  # series
     (TORQUES, "src/drift/pivot/record_drift.cpp"),
-    (TORQUES, "src/drift/derivatives/record_variations.cpp"),
+    (TORQUES, "src/drift/derivatives/record_single_motion.cpp"),
     (CONTACT, "src/drift/table/record_contact.cpp"),
 ]
 # Sources that have to say of each member what becomes of it, whether it is listed or not: struct, source and reason.

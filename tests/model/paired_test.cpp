@@ -143,31 +143,5 @@ TEST(Paired, TheTorquesDifferenceIsThatOfTheTorques) {
     }
 }
 
-TEST(Paired, TheTorquesChangeIsTheirDerivative) {
-  using Q = float128;
-  Random random(303);
-  for (const bool earth : {false, true})
-    for (const int kind : {0, 1, 2, 3}) {
-      Scenario scenario = all_torques(random, kind >= 2, kind % 2 == 1);
-      scenario.rotation_rate_rad_s = 0.3;
-      scenario.effects.coriolis = true;
-      const auto exact = resolve(scenario).model<Q>();
-      const double t = random.uniform(0, 4);
-      const auto q_LB = random.quaternion<double>();
-      const auto w_LB_B = random.vector<double>(60), theta = random.vector<double>(), dw_IB = random.vector<double>(3);
-      const auto moved = [&](Q s) {
-        const Quaternion<Q> q{Q(q_LB.w), cast<Q>(q_LB.v)}, turned = q * Quaternion<Q>{Q(1), s / Q(2) * cast<Q>(theta)};
-        const Q rate = earth ? Q(1) : Q(0);
-        const Vec3<Q> W = rate * transposed_times(rotation_matrix(q), exact.W_IL_L);
-        const Vec3<Q> W_turned = rate * transposed_times(rotation_matrix(turned), exact.W_IL_L);
-        return applied_torque_B(exact, Q(t), turned, Vec3<Q>(cast<Q>(w_LB_B) + W + s * cast<Q>(dw_IB) - W_turned), earth);
-      };
-      const Vec3<Q> derivative = (moved(Q(1e-12)) - moved(Q(-1e-12))) / Q(2e-12);
-      const Vec3<double> change =
-          applied_torque_change_B(resolve(scenario).model<double>(), t, q_LB, w_LB_B, earth, theta, dw_IB);
-      EXPECT_TRUE(close<Q>(cast<Q>(change), derivative, Q(1e-12) * norm(derivative))) << earth << " " << kind;
-    }
-}
-
 }  // namespace
 }  // namespace earthtop

@@ -182,9 +182,11 @@ TEST(Verdict, TheEarthsDisturbanceHasGrownWhenTheDriftHas) {
   body.release.rates_relative_to = RatesRelativeTo::inertial;
   body.effects.applied.viscous_N_m_s = 2.96574e-09;
   body.duration_s = 27.49, body.output_step_s = 2.749;
-  for (const Scenario& scenario : {top, body}) {
+  // The symmetric top comes back to upright three times, and its neighbours with it: they are 3e4 times as far apart at most. (With
+  // variational equations that leave out how the torque left out changes, they would seem to be 1e17 times as far apart.)
+  for (const auto& [scenario, verdict] : {std::pair{top, Verdict::unstable}, {body, Verdict::chaotic}}) {
     const RunResult never = run(scenario);
-    EXPECT_EQ(never.verdict.verdict, Verdict::chaotic) << never.verdict.reason;
+    EXPECT_EQ(never.verdict.verdict, verdict) << never.verdict.reason;
     EXPECT_FALSE(never.verdict.earth_grown_s);
     EXPECT_EQ(never.verdict.reason.find("Earth"), std::string::npos) << never.verdict.reason;
   }

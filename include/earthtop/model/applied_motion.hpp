@@ -34,10 +34,4 @@ extern template Vec3<Paired<float128>> applied_torques_B(const Model<float128>&,
                                                          const Vec3<float128>&, float128, const Vec3<float128>&,
                                                          const Vec3<float128>&);
 
-/// The first-order change of the applied torque if the attitude is rotated by theta_B (in body axes) and the rate changes by
-/// dw_B.
-Vec3<double> applied_torque_change_B(const Model<double>& model, double t, const Quaternion<double>& q_LB,
-                                     const Vec3<double>& w_LB_B, bool earth, const Vec3<double>& theta_B,
-                                     const Vec3<double>& dw_B);
-
 }  // namespace earthtop

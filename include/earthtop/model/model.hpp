@@ -110,6 +110,14 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
   }
 }
 
+/// Returns the model of the same body on an Earth that stands still, as the non-rotating prediction has it.
+template <class T>
+Model<T> without_earth_rate(Model<T> model) {
+  model.epsilon = T(0);
+  model.W_IL_L = model.W_IL_L_scaled = Vec3<T>::Zero();
+  return model;
+}
+
 /// The Coriolis and centrifugal torques of [F] (torques.hpp) in the laboratory, with their weights, in the axes A that all
 /// arguments share. They are linear in W_A_scaled: with W_A_scaled = W_A the result is the torque, with W_A / epsilon it is the
 /// torque over epsilon. There is no transverse torque because the Earth rotates uniformly: the laboratory has no angular

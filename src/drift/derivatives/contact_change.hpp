@@ -36,13 +36,4 @@ ContactChange<T> table_tilt_change(const Vec3<T>& gravity_H, const SinCos<T>& az
   return change;
 }
 
-/// The model of a pair that differs by a change of the non-rotating prediction to first order, and not by the Earth's rotation.
-template <class T>
-Model<T> model_for_change(const Model<T>& model) {
-  Model<T> made = model;
-  made.epsilon = T(0);
-  made.W_IL_L = made.W_IL_L_scaled = Vec3<T>::Zero();
-  return made;
-}
-
 }  // namespace earthtop

@@ -47,7 +47,7 @@ bool follow(State& x, double end, Scales& scales, StepCounters& counters, const 
 template <class Drift>
 ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes, double at_s,
                                double relative_tolerance, const Watch& watch) {
-  const Model<double> model = model_for_change(problem.model);
+  const Model<double> model = without_earth_rate(problem.model);
   if (changes.size() > kMostContactChanges) throw std::logic_error("too many changes of a motion on a table");
   ContactChanges all{changes.size()};
   std::ranges::copy(changes, all.of_inputs.begin());

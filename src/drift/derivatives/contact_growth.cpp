@@ -56,7 +56,7 @@ Seen seen(const General& drift, const General::State& x, double t) {
 template <class Drift>
 ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, double relative_tolerance, const Watch& watch) {
   using Tangents = ContactTangents<Drift>;
-  const Model<double> model = model_for_change(problem.model);
+  const Model<double> model = without_earth_rate(problem.model);
   const TableProblem<double>& table = *problem.table;
   const Tangents motion(Drift(model, table.contact, table.start, problem.release, problem.units), {kFollowed});
   const Drift& drift = motion.drift();

@@ -41,7 +41,7 @@ class ContactTangents {
   using State = std::array<double, kSize>;
   using Series = RecordedSeries<double, kSize>;
 
-  /// @param drift  a pair whose model has epsilon = 0 (model_for_change)
+  /// @param drift  a pair whose model has epsilon = 0 (without_earth_rate)
   ContactTangents(Drift drift, const ContactChanges& changes) : drift_(std::move(drift)), changes_(changes) {}
 
   const Drift& drift() const { return drift_; }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
 //
+#include "drift/derivatives/jet.hpp"  // must come before the formulas that are compiled for jets
+//
 #include <algorithm>
 #include <array>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
-#include "drift/derivatives/compass_variations.hpp"
-#include "drift/derivatives/driven_reduced_variations.hpp"
+#include "drift/derivatives/disturbed_motion.hpp"
 #include "drift/derivatives/growth_work.hpp"
-#include "drift/derivatives/variations.hpp"
 #include "drift/stability.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
@@ -34,49 +35,50 @@ class Follower {
     constexpr double kDirections[kDisturbances][6] = {{1, 1, 1, 1, 1, 1}, {1, -1, 1, -1, 1, -1}, {1, 1, -1, -1, 0, 0}};
     for (std::size_t d = 0; d < kDisturbances; ++d) {
       const double(&c)[6] = kDirections[d];
-      system.put_disturbance({c[0], c[1], c[2]}, {c[3] * rate_, c[4] * rate_, c[5] * rate_}, x, d);
+      system.put({{c[0], c[1], c[2]}, {c[3] * rate_, c[4] * rate_, c[5] * rate_}}, x, d);
     }
     system.restrict(x);
-    for (std::size_t d = 0; d < kDisturbances; ++d) system.scale(x, d, 1 / size(x, d));
+    const auto seen = system.disturbances(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) System::scale(x, d, 1 / size(seen[d]));
   }
-  /// Takes in the state after a step. @returns the logarithm of the largest growth of the three disturbances
-  double include(State& x) {
-    system_->restrict(x);
-    has_rescaled_ = false;
+  /// The logarithm of the largest growth of the three disturbances.
+  double log_growth(const State& x) const {
     double largest = -std::numeric_limits<double>::infinity();
-    for (std::size_t d = 0; d < kDisturbances; ++d) {
-      const double grown = size(x, d);
-      largest = std::max(largest, log_scale_[d] + real::log(grown));
-      if (!(grown > kRescaled)) continue;
-      log_scale_[d] += real::log(grown);
-      system_->scale(x, d, 1 / grown);
-      has_rescaled_ = true;
-    }
+    const auto seen = system_->disturbances(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) largest = std::max(largest, log_scale_[d] + real::log(size(seen[d])));
     return largest;
   }
-  /// Whether the last state taken in was changed.
-  bool has_rescaled() const { return has_rescaled_; }
+  /// Brings large disturbances back to size 1.   @returns whether the state was changed
+  bool rescale(State& x) {
+    bool has_rescaled = false;
+    const auto seen = system_->disturbances(x);
+    for (std::size_t d = 0; d < kDisturbances; ++d) {
+      const double grown = size(seen[d]);
+      if (!(grown > kRescaled)) continue;
+      log_scale_[d] += real::log(grown);
+      System::scale(x, d, 1 / grown);
+      has_rescaled = true;
+    }
+    return has_rescaled;
+  }
 
  private:
-  double size(const State& x, std::size_t d) const {
-    return real::hypot(norm(system_->theta(x, d)), norm(system_->dw(x, d)) / rate_);
-  }
+  double size(const Disturbance& seen) const { return real::hypot(norm(seen.theta_B), norm(seen.dw_B) / rate_); }
 
   const System* system_;
   double rate_;
   std::array<double, kDisturbances> log_scale_ = {};
-  bool has_rescaled_ = false;
 };
 
 enum class Step { taken, rejected, failed };
 
-/// Steps of Fehlberg's method of order 8.
+/// Steps of Fehlberg's method of order 8, for motions whose series end at corners of friction.
 template <class System>
 class EmbeddedSteps {
  public:
   using State = typename System::State;
   EmbeddedSteps(const System& system, const State&, double tolerance, double first_step, double shortest)
-      : system_(&system),
+      : series_(system.series()),
         stepper_(boost::numeric::odeint::make_controlled<Fehlberg>(tolerance, tolerance)),
         dt_(first_step),
         shortest_(shortest) {}
@@ -90,7 +92,13 @@ class EmbeddedSteps {
     dt_ = std::min(dt_, end - t);
     if (dt_ < std::min(shortest_, end - t)) return Step::failed;
     evaluations += kStages;
-    if (stepper_.try_step(*system_, x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
+    const auto rate = [this](const State& at, State& dxdt, double time) {
+      State coefficients[2] = {at};
+      series_.start(at, time);
+      series_.expand(coefficients, 1);
+      dxdt = coefficients[1];
+    };
+    if (stepper_.try_step(rate, x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
     return t + dt_ > t ? Step::rejected : Step::failed;
   }
   void restart(const State&, double) {}
@@ -98,7 +106,7 @@ class EmbeddedSteps {
  private:
   using Fehlberg = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
   static constexpr int kStages = 13;
-  const System* system_;
+  typename System::Series series_;
   typename boost::numeric::odeint::result_of::make_controlled<Fehlberg>::type stepper_;
   double dt_, shortest_;
 };
@@ -109,18 +117,17 @@ class SeriesSteps {
  public:
   using State = typename System::State;
   SeriesSteps(const System& system, const State& x, double tolerance, double, double)
-      : series_(system.series()), stepper_(tolerance, scales_) {
+      : looks_(system.has_friction() ? 8 : 4), series_(system.series()), stepper_(tolerance, scales_) {
     restart(x, 0);
   }
   /// Shows some states of the last step, which may be long.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
-    constexpr int kLooks = 8;
     const double step = stepper_.current_time_step();
     State between;
-    for (int i = 1; i < kLooks; ++i) {
-      stepper_.state_after(step * i / kLooks, between);
-      look(t - step * (kLooks - i) / kLooks, between);
+    for (int i = 1; i < looks_; ++i) {
+      stepper_.state_after(step * i / looks_, between);
+      look(t - step * (looks_ - i) / looks_, between);
     }
     look(t, x);
   }
@@ -141,6 +148,7 @@ class SeriesSteps {
   }
 
  private:
+  int looks_;  ///< in a step; friction may bring a top to its critical spin between two of them
   GroupScales<double, typename System::Shape> scales_;
   typename System::Series series_;
   taylor::TaylorStepper<double, System> stepper_;
@@ -228,18 +236,18 @@ class Departure {
   Vec3<double> up_B_, w_B_;
 };
 
-/// @tparam kEarth  whether to follow the motion on the rotating Earth, or the non-rotating prediction
-template <bool kEarth, class System, class Steps>
-GrowthReport follow(System system, const MotionProblem<double>& problem, double duration_s, double tolerance,
-                    const Watch& watch) {
+/// @param problem  of the motion alone: with a model whose Earth stands still for the non-rotating prediction
+template <class Law, template <class> class Steps>
+GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
   const Model<double>& model = problem.model;
   const double rate = problem.fastest_rate, end = problem.units.time_from_s(duration_s);
   const auto seconds = [&](double t) { return real::scale(t, problem.units.time_exponent); };
 
   Motion<double> release{problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B)};
-  if (kEarth && problem.release.X == RatesRelativeTo::laboratory)
-    release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
-  typename System::State x = system.initial_state(release);
+  if (problem.release.X == RatesRelativeTo::laboratory) release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
+  using System = DisturbedMotion<Law>;
+  const System system(model, Law(problem, release));
+  typename System::State x = system.initial_state();
   Follower<System> follower(system, rate, x);
   const Departure departure(model, release, rate);
   CriticalSpin critical_spin(model);
@@ -248,9 +256,9 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
 
   // Dry friction turns round with the motion, and disturbances jump: there no step is long enough.
   const double shortest = model.applied.coulomb != 0 ? kTurning / rate : 0;
-  Steps steps(system, x, tolerance, std::min(end, 0.1 / rate), shortest);
+  Steps<System> steps(system, x, tolerance, std::min(end, 0.1 / rate), shortest);
   GrowthReport report;
-  double t = 0;
+  double t = 0, before = 0;
   const WorkLimit limit = problem.pace.known() ? work_limit_for(growth_work(problem, duration_s, tolerance)) : WorkLimit();
   const std::int64_t most = std::min(kMostGrowthSteps, limit.steps);
   std::int64_t count = 0;
@@ -258,7 +266,6 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
   for (; t < end && count < most; ++count) {
     if (watch.asks_to_stop()) return report;
     if (count % 64 == 0) watch.reach(t / end);
-    const double before = t;
     const Step step = steps.take(x, t, end, counters.evaluations);
     if (step == Step::failed) return report;
     if (step == Step::rejected) {
@@ -266,48 +273,36 @@ GrowthReport follow(System system, const MotionProblem<double>& problem, double 
       continue;
     }
     ++counters.accepted;
+    system.restrict(x);
+    double log_growth = 0;
     steps.look(x, t, [&](double at, const auto& state) {
       const Motion<double> motion = system.motion(state);
       critical_spin.include(at, motion);
       if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
+      log_growth = follower.log_growth(state);
+      const double log_regular = real::log(1 + rate * at);
+      late.include(at, at - before, log_growth - log_regular);
+      before = at;
+      if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = seconds(at);
+      if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
+        report.rises.push_back({seconds(at), log_growth});
     });
-    const double log_growth = follower.include(x);
-    if (follower.has_rescaled()) steps.restart(x, t);
     if (!std::isfinite(log_growth)) return report;
-    const double log_regular = real::log(1 + rate * t);
-    late.include(t, t - before, log_growth - log_regular);
+    if (follower.rescale(x)) steps.restart(x, t);
     report.end_s = seconds(t);
     report.mean_exponent_1_s = log_growth / report.end_s;
     if (const auto slope = late.slope()) report.late_exponent_1_s = problem.units.rate_to_rad_s(*slope);
     if (const auto passed = critical_spin.passed()) report.critical_spin_s = seconds(*passed);
-    if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = report.end_s;
-    if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
-      report.rises.push_back({report.end_s, log_growth});
   }
   report.completed = count < most;
   return report;
 }
 
-template <bool kEarth>
-GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
-  const auto by = [&]<class System, template <class> class Steps>(const System& system) {
-    return follow<kEarth, System, Steps<System>>(system, problem, duration_s, tolerance, watch);
-  };
-  const Model<double>& model = problem.model;
-  if (model.kind == SceneKind::plain) {
-    using System = GeneralVariations<kEarth, SceneKind::plain>;
-    return by.template operator()<System, EmbeddedSteps>(System(model));
-  }
-  if (has_spinless_series(problem, duration_s)) {
-    if (is_compass(model)) {
-      using Compass = CompassVariations<kEarth>;
-      return by.template operator()<Compass, SeriesSteps>(Compass(problem));
-    }
-    using System = DrivenReducedVariations<kEarth>;
-    return by.template operator()<System, SeriesSteps>(System(problem));
-  }
-  using System = GeneralVariations<kEarth, SceneKind::full>;
-  return by.template operator()<System, EmbeddedSteps>(System(model));
+/// The problem of one motion: the non-rotating prediction is that on an Earth that stands still.
+MotionProblem<double> alone(const MotionProblem<double>& problem, MotionKind kind) {
+  MotionProblem<double> made = problem;
+  if (kind == MotionKind::reference) made.model = without_earth_rate(problem.model);
+  return made;
 }
 
 }  // namespace
@@ -315,13 +310,19 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
 std::optional<double> GrowthReport::passes_s(double log_growth) const {
   const auto point = std::lower_bound(rises.begin(), rises.end(), log_growth,
                                       [](const GrowthPoint& p, double level) { return p.log_growth < level; });
-  return point == rises.end() ? std::nullopt : std::optional(point->t_s);
+  if (point == rises.end()) return std::nullopt;
+  if (point == rises.begin()) return point->t_s;
+  const GrowthPoint& before = *std::prev(point);
+  return before.t_s + (point->t_s - before.t_s) * (log_growth - before.log_growth) / (point->log_growth - before.log_growth);
 }
 
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                                 const Watch& watch) {
-  return kind == MotionKind::rotating ? follow<true>(problem, duration_s, tolerance, watch)
-                                      : follow<false>(problem, duration_s, tolerance, watch);
+  const MotionProblem<double> one = alone(problem, kind);
+  if (!has_smooth_series(problem, duration_s)) return follow<AnyBodyMotion, EmbeddedSteps>(one, duration_s, tolerance, watch);
+  if (is_compass(one.model)) return follow<WheelMotion, SeriesSteps>(one, duration_s, tolerance, watch);
+  return is_reducible_when_driven(one.model) ? follow<SpinlessMotion, SeriesSteps>(one, duration_s, tolerance, watch)
+                                             : follow<AnyBodyMotion, SeriesSteps>(one, duration_s, tolerance, watch);
 }
 
 }  // namespace earthtop

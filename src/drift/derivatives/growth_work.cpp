@@ -8,23 +8,32 @@
 
 namespace earthtop {
 
-bool has_spinless_series(const MotionProblem<double>& problem, double duration_s) {
-  if (!is_reducible_when_driven(problem.model) && !is_compass(problem.model)) return false;
-  const int axis = symmetry_axis(problem.model.I_BP_B, problem.model.mass_moment_B);
-  const double w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[axis]), I3 = problem.model.I_BP_B(axis, axis);
+namespace {
+
+/// Whether the motion is followed without its spin.
+bool is_spinless(const Model<double>& model) { return is_reducible_when_driven(model) || is_compass(model); }
+
+}  // namespace
+
+bool has_smooth_series(const MotionProblem<double>& problem, double duration_s) {
+  const Model<double>& model = problem.model;
   const double end = problem.units.time_from_s(duration_s);
-  const double carrier_rate = problem.model.platform.turn.largest_rate(end) + norm(problem.model.W_IL_L);
-  return friction_stays_smooth(problem.model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
+  double I3 = 1, w3 = 0;  // of a body whose rates no symmetry keeps
+  if (is_spinless(model)) {
+    const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
+    I3 = model.I_BP_B(axis, axis), w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[axis]);
+  }
+  const double carrier_rate = model.platform.turn.largest_rate(end) + norm(model.W_IL_L);
+  return friction_stays_smooth(model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
 }
 
 Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance) {
-  if (problem.model.kind == SceneKind::plain || !has_spinless_series(problem, duration_s))
-    return variational_work(problem.pace, duration_s, relative_tolerance);
+  if (!has_smooth_series(problem, duration_s)) return variational_work(problem.pace, duration_s, relative_tolerance);
   IntegrationOptions series;
   series.method = Method::taylor, series.relative_tolerance = relative_tolerance;
   Pace pace = problem.pace;
   pace.rows = 0;
-  const Work whole = estimated_work(pace, series, true);
+  const Work whole = estimated_work(pace, series, is_spinless(problem.model));
   const double share = pace.known() ? duration_s / pace.duration_s : 0;
   const double steps = std::max(kFewestGrowthSteps, share * whole.steps);
   return {steps, steps * whole.evaluations / whole.steps};

@@ -9,7 +9,7 @@ namespace earthtop {
 /// The fewest steps of a series, for a slope of the growth over the second half.
 inline constexpr double kFewestGrowthSteps = 100;
 
-/// Whether a motion is that of a driven symmetric top or of a compass, with equations that have a Taylor series throughout.
-bool has_spinless_series(const MotionProblem<double>& problem, double duration_s);
+/// Whether the equations of a motion have a Taylor series throughout: no friction has a corner on its way.
+bool has_smooth_series(const MotionProblem<double>& problem, double duration_s);
 
 }  // namespace earthtop

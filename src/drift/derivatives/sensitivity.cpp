@@ -65,7 +65,7 @@ class SymmetricTop {
         release_(jets_of(problem.release, problem.units, inputs)),
         system_(jets_of(problem.model, inputs), release_, problem.units) {}
   static bool fits(const MotionProblem<double>& problem, double time_s, const Inputs& inputs) {
-    return is_reducible_when_driven(problem.model) && has_spinless_series(problem, time_s) &&
+    return is_reducible_when_driven(problem.model) && has_smooth_series(problem, time_s) &&
            std::ranges::all_of(inputs, [&](const ProblemDerivative& d) { return keeps_symmetry(problem.model, d); });
   }
   System::State initial_state() const { return system_.initial_state(); }

@@ -29,28 +29,29 @@ JoinedPair<T> joined(const std::array<LongHorizonPair<T>, kRateNodes.size()>& at
     for (std::size_t j = 0; j < kRateNodes.size(); ++j)
       if (j != i) weight[i] *= (x - kRateNodes[j]) / (kRateNodes[i] - kRateNodes[j]);
   }
-  JoinedPair<T> joined;
-  joined.pair = at[0];
+  JoinedPair<T> made;
+  made.pair = at[0];
   Vec3<T> y = Vec3<T>::Zero();
   Complex<T> rate;
   T excess = T(0);
-  // Differences that leave a cubic's term of second and of third order at the largest rate.
+  // Of a cubic p through the nodes 1, 1/2, -1/2, -1, the sum p(1) + p(-1) - p(1/2) - p(-1/2) is 3/2 of the coefficient of second order, and
+  // p(1) - p(-1) - 2 (p(1/2) - p(-1/2)) is 3/2 of that of third order.
   constexpr std::array<T, 4> kSecond{T(2) / T(3), -T(2) / T(3), -T(2) / T(3), T(2) / T(3)};
   constexpr std::array<T, 4> kThird{T(2) / T(3), -T(4) / T(3), T(4) / T(3), -T(2) / T(3)};
   for (std::size_t i = 0; i < kRateNodes.size(); ++i) {
     const LongHorizonPair<T>& q = at[i];
     const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kRateNodes[i] * node);
     y += weight[i] * side * q.y;
-    joined.second_order_term += kSecond[i] * side * q.y;
-    joined.third_order_term += kThird[i] * side * q.y;
+    made.second_order_term += kSecond[i] * side * q.y;
+    made.third_order_term += kThird[i] * side * q.y;
     rate = rate + (weight[i] * scale) * (q.across + T(-1) * q.ref_across);
     excess += weight[i] * scale * q.spin_excess;
   }
-  joined.pair.y = y;
-  joined.pair.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
-  joined.pair.across = joined.pair.ref_across + epsilon * rate;
-  joined.pair.spin_excess = epsilon * excess;
-  return joined;
+  made.pair.y = y;
+  made.pair.e_w = real::sqrt(T(1) - epsilon * epsilon * y.dot(y));
+  made.pair.across = made.pair.ref_across + epsilon * rate;
+  made.pair.spin_excess = epsilon * excess;
+  return made;
 }
 
 /// An estimate of what the cubic leaves out, from the sizes of its terms, the largest so far.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "earthtop/integrate/instruction_set.hpp"
 #include "integrate/lanes/block.hpp"

@@ -58,6 +58,10 @@ class Tangents {
     return R(o.factor_a) * a + R(o.factor_b) * b + number;
   }
 
+  /// Whether a number whose root is sought is zero, as the square of a rate at rest is: friction multiplies that root with the rate
+  /// itself, so that its tangent, which does not exist, has no part in those of the motion. The list holds as long as the number is zero.
+  bool rests(const R& number) const { return number.value() == T(0) && !(R() < number); }
+
   Result result_of(const Operation<T>& o) {
     using real::conserved, real::cos, real::pow, real::sin, real::sqrt;
     Result made{{}, std::vector<R>(directions_)};
@@ -99,11 +103,11 @@ class Tangents {
         break;
       case Kind::square_root:
         made.value = sqrt(a.value);
-        each([&](std::size_t k) { return a.tangents[k] / (R(2) * made.value); });
+        if (!rests(a.value)) each([&](std::size_t k) { return a.tangents[k] / (R(2) * made.value); });
         break;
       case Kind::power:
         made.value = pow(a.value, R(o.number));
-        each([&](std::size_t k) { return R(o.number) * made.value * a.tangents[k] / a.value; });
+        if (!rests(a.value)) each([&](std::size_t k) { return R(o.number) * made.value * a.tangents[k] / a.value; });
         break;
       case Kind::sine:
         made.value = sin(a.value);
