@@ -195,37 +195,21 @@ Candidate tide(const Scene& scene) {
   return c;
 }
 
-/// Returns the candidate for a single kind of friction, if the scene has it. @param part  copies it from the applied torques
-/// @param size_at  gives the size of its torque at a rate (natural units)
-template <class Part, class SizeAt>
-std::optional<Candidate> friction(const Scene& scene, const Part& part, const SizeAt& size_at) {
-  const AppliedTorques<double>& all = scene.problem<double>().model.applied;
-  const double rate = std::max(norm(scene.units().rate_from_rad_s(scene.problem<double>().release.w_XB_B)), 1e-3);
+using FrictionCoefficient = double AppliedTorques<double>::*;
+
+/// Returns the candidate for a single kind of friction, if the scene has it. Its size is that of its torque at the rate of release.
+/// @tparam coefficients  those of this kind
+template <FrictionCoefficient... coefficients>
+std::optional<Candidate> friction(const Scene& scene) {
+  const DriftProblem<double>& problem = scene.problem<double>();
+  const double rate = std::max(norm(problem.units.rate_from_rad_s(problem.release.w_XB_B)), 1e-3);
   AppliedTorques<double> alone;
-  part(alone, all);
-  const double size = size_at(alone, rate);
+  ((alone.*coefficients = problem.model.applied.*coefficients), ...);
+  const double size = norm(friction_torque(alone, Vec3<double>(0, 0, rate)));
   if (!(size > 0)) return std::nullopt;
   Candidate c = torque_in_both(alone, size, scene);
   c.reason = "as given";
   return c;
-}
-std::optional<Candidate> viscous(const Scene& scene) {
-  return friction(
-      scene, [](auto& a, const auto& all) { a.viscous = all.viscous; }, [](const auto& a, double w) { return a.viscous * w; });
-}
-std::optional<Candidate> quadratic(const Scene& scene) {
-  return friction(
-      scene, [](auto& a, const auto& all) { a.quadratic = all.quadratic; },
-      [](const auto& a, double w) { return a.quadratic * w * w; });
-}
-std::optional<Candidate> coulomb(const Scene& scene) {
-  return friction(
-      scene, [](auto& a, const auto& all) { a.coulomb = all.coulomb; }, [](const auto& a, double) { return a.coulomb; });
-}
-std::optional<Candidate> air_drag(const Scene& scene) {
-  return friction(
-      scene, [](auto& a, const auto& all) { a.disc_laminar = all.disc_laminar, a.disc_turbulent = all.disc_turbulent; },
-      [](const auto& a, double w) { return a.disc_laminar * real::pow(w, 1.5) + a.disc_turbulent * real::pow(w, 1.8); });
 }
 
 /// Wraps a size function to the type that the catalogue holds. @tparam size  function that returns a Candidate
@@ -288,25 +272,25 @@ const Effect kEffects[] = {
     {.name = "viscous_torque",
      .key = "/effects/viscous_torque_N_m_s",
      .is_modelled = [](const Scene& s) { return effects(s).applied.viscous_N_m_s != 0; },
-     .size = viscous,
+     .size = friction<&AppliedTorques<double>::viscous>,
      .share = "friction",
      .left_out_unsized = kNoCoefficient},
     {.name = "quadratic_torque",
      .key = "/effects/quadratic_torque_N_m_s2",
      .is_modelled = [](const Scene& s) { return effects(s).applied.quadratic_N_m_s2 != 0; },
-     .size = quadratic,
+     .size = friction<&AppliedTorques<double>::quadratic>,
      .share = "friction",
      .left_out_unsized = kNoCoefficient},
     {.name = "air_drag",
      .key = "/effects/air_drag",
      .is_modelled = [](const Scene& s) { return effects(s).applied.air_drag.has_value(); },
-     .size = air_drag,
+     .size = friction<&AppliedTorques<double>::disc_laminar, &AppliedTorques<double>::disc_turbulent>,
      .share = "friction",
      .left_out_unsized = kNoCoefficient},
     {.name = "coulomb_torque",
      .key = "/effects/coulomb_torque_N_m",
      .is_modelled = [](const Scene& s) { return effects(s).applied.coulomb_N_m != 0; },
-     .size = coulomb,
+     .size = friction<&AppliedTorques<double>::coulomb>,
      .share = "friction",
      .left_out_unsized = kNoCoefficient},
     {.name = "gimbal",

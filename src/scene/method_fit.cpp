@@ -50,11 +50,10 @@ std::optional<std::string> need_fixed_pivot(const MethodRow& row, const Scene& s
 std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
   if (scene.scenario().contact) return std::nullopt;  // its equations weigh force and torque in every formulation
   if (auto reason = need_all_torques(word, scene)) return reason;
-  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
-  if (applied.coulomb_N_m == 0 && applied.quadratic_N_m_s2 == 0 && !applied.air_drag) return std::nullopt;
   const double w3 = scene.release<double>().w_XB_B[2];
+  const auto torques = make_applied_torques<double>(scene.scenario().effects.applied, scene.site(), w3, 0, 0);
+  if (!torques.has_corner()) return std::nullopt;
   const double carrier_rate = scene.platform_demand().rate_rad_s + std::abs(scene.rotation_rate_rad_s());
-  const auto torques = make_applied_torques<double>(applied, scene.site(), w3, 0, 0);
   if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
       friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, carrier_rate, scene.fastest_rate_rad_s(),
                             scene.scenario().duration_s))

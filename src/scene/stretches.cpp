@@ -82,12 +82,12 @@ struct StepRate {
   }
 };
 
-/// The torques of friction, `times` as strong.
+/// The torques of friction and of a gimbal's damping, `times` as strong.
 template <class T>
 void strengthen_friction(AppliedTorques<T>& applied, double times) {
-  for (T* coefficient : {&applied.viscous, &applied.quadratic, &applied.coulomb, &applied.disc_laminar, &applied.disc_turbulent,
-                         &applied.gimbal_damping})
-    *coefficient *= T(times);
+  const auto strengthen =
+      ByKind{[times](T& coefficient) { coefficient *= T(times); }, [](std::array<GradientTerm<T>, 2>&) {}, [](bool&) {}};
+  for_each_member(strengthen, applied);
 }
 
 /// Looks at the stretches of one scene.

@@ -47,6 +47,8 @@ CARRIERS = [
     (TORQUES, "src/scene/input_derivatives.cpp"),  # derivatives by an input
     (TORQUES, "src/drift/derivatives/sensitivity.cpp"),  # jets
     (TORQUES, "src/budget/effects.cpp"),  # the size of an effect
+    (TORQUES, "src/scene/stretches.cpp"),  # stronger friction
+    (TORQUES, "src/drift/derivatives/growth.cpp"),  # whether anything rubs
     (TORQUES, "src/integrate/taylor/record_motion.cpp"),  # series
     (TORQUES, "src/drift/pivot/record_drift.cpp"),
     (TORQUES, "src/drift/derivatives/record_single_motion.cpp"),

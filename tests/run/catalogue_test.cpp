@@ -111,6 +111,19 @@ TEST(Catalogue, EveryEffectActsOnATableOrIsRefusedThere) {
     }
 }
 
+// The estimate of a run's work, from which its limit comes, would be that of an undamped motion.
+TEST(Catalogue, ThePaceCountsWhateverRubs) {
+  for (const testing::EffectCase& scene : testing::effect_cases()) {
+    SCOPED_TRACE(scene.effect + ": " + scene.name);
+    Scenario with = testing::fast_earth_top();
+    scene.add(with);
+    const AppliedTorquesSpec& applied = with.effects.applied;
+    const bool rubs = applied.friction() || (applied.gimbal && applied.gimbal->damping_N_m_s > 0);
+    const Pace& pace = Scene(with).pace();
+    EXPECT_EQ(pace.damping > 0 || pace.halts > 0, rubs);
+  }
+}
+
 TEST(Catalogue, EveryCaseIsOfAnEffect) {
   for (const testing::EffectCase& scene : testing::effect_cases())
     EXPECT_TRUE(std::ranges::any_of(all_effects(), [&](const Effect& effect) { return effect.name == scene.effect; }))

@@ -42,8 +42,24 @@ struct AppliedTorques {
   T gimbal_damping = T(0);
   EARTHTOP_MEMBERS(any, viscous, quadratic, coulomb, disc_laminar, disc_turbulent, gradient, level_axis, gimbal_damping)
 
-  bool friction() const {
-    return viscous != T(0) || quadratic != T(0) || coulomb != T(0) || disc_laminar != T(0) || disc_turbulent != T(0);
+  /// Whether anything rubs: what is neither the gradient nor the gimbal.
+  bool friction() const { return any_number_but(gimbal_damping); }
+  /// Whether the friction has a corner where what it brakes comes to rest. All but viscous friction has one.
+  bool has_corner() const { return any_number_but(gimbal_damping, viscous); }
+  bool has_disc() const { return disc_laminar != T(0) || disc_turbulent != T(0); }
+
+ private:
+  /// Whether a coefficient that is a number is not 0, apart from some.
+  template <class... Number>
+  bool any_number_but(const Number&... left_out) const {
+    bool any_acts = false;
+    const auto look = ByKind{[&](const T& number) {
+                               const bool counts = ((&number != &left_out) && ...);
+                               any_acts = any_acts || (counts && number != T(0));
+                             },
+                             [](const bool&) {}, [](const std::array<GradientTerm<T>, 2>&) {}};
+    for_each_member(look, *this);
+    return any_acts;
   }
 };
 
@@ -111,13 +127,17 @@ S disc_drag_coefficient(const AppliedTorques<T>& applied, const S& w3_PB) {
   const S fifth = fifth_root(spin), square = fifth * fifth;
   return S(applied.disc_laminar) * sqrt(spin) + S(applied.disc_turbulent) * square * square;
 }
+/// c of the torque -c w3 along the axis of a symmetric top.   @param coefficient  of the friction about all axes
+template <class T, class S>
+S spin_friction_coefficient(const AppliedTorques<T>& applied, const S& coefficient, const S& w3_PB) {
+  return applied.has_disc() ? S(coefficient + disc_drag_coefficient(applied, w3_PB)) : coefficient;
+}
 /// Torques that oppose the rate relative to the platform.
 template <class T, class S>
 Vec3<S> friction_torque(const AppliedTorques<T>& applied, const Vec3<S>& w_PB_B) {
   const S square = w_PB_B[0] * w_PB_B[0] + w_PB_B[1] * w_PB_B[1] + w_PB_B[2] * w_PB_B[2];
   Vec3<S> torque = S(-friction_coefficient(applied, square)) * w_PB_B;
-  if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0))
-    torque[2] -= disc_drag_coefficient(applied, w_PB_B[2]) * w_PB_B[2];
+  if (applied.has_disc()) torque[2] -= disc_drag_coefficient(applied, w_PB_B[2]) * w_PB_B[2];
   return torque;
 }
 

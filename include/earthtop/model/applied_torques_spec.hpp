@@ -46,7 +46,12 @@ struct AppliedTorquesSpec {
   bool operator==(const AppliedTorquesSpec&) const = default;
 
   bool any() const { return *this != AppliedTorquesSpec{}; }
-  bool friction() const { return viscous_N_m_s != 0 || quadratic_N_m_s2 != 0 || coulomb_N_m != 0 || air_drag; }
+  /// Whether anything rubs: what is neither the gradient nor the gimbal.
+  bool friction() const {
+    AppliedTorquesSpec rubbing = *this;
+    rubbing.gravity_gradient.reset(), rubbing.gimbal.reset();
+    return rubbing.any();
+  }
 };
 
 }  // namespace earthtop

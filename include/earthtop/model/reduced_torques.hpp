@@ -48,9 +48,7 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
   const Vec3<S> across = seen.u - Vec3<S>(seen.w_IP - carried * seen.n);
   const S coefficient = friction_coefficient(applied, S(dot(across, across) + spin * spin));
   torques.across -= S(coefficient * S(T(1) / top.I1)) * across;
-  S along = coefficient;
-  if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) along += disc_drag_coefficient(applied, spin);
-  torques.along -= (along * S(T(1) / top.I3)) * spin;
+  torques.along -= (spin_friction_coefficient(applied, coefficient, spin) * S(T(1) / top.I3)) * spin;
   return torques;
 }
 
@@ -65,12 +63,14 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
 /// the Earth   @param fastest_rate, duration  upper bound of all rates, and duration, of the whole motion
 template <class T>
 bool friction_stays_smooth(const AppliedTorques<T>& applied, T I3, T w3, T carrier_rate, T fastest_rate, T duration) {
-  const bool has_disc = applied.disc_laminar != T(0) || applied.disc_turbulent != T(0);
-  if (applied.coulomb == T(0) && applied.quadratic == T(0) && !has_disc) return true;
+  if (!applied.has_corner()) return true;
   constexpr double kOfTheRate = 0.05, kDry = 0.5, kOther = 4, kOfTheCarrier = 3;
   const T spin = real::abs(w3), relative = spin + carrier_rate;
   if (!(spin > T(kOfTheRate) * fastest_rate && relative > T(kOfTheCarrier) * carrier_rate)) return false;
-  const T coefficient = applied.viscous + applied.quadratic * fastest_rate + disc_drag_coefficient(applied, relative);
+  AppliedTorques<T> falling = applied;
+  falling.coulomb = T(0);
+  const T coefficient =
+      spin_friction_coefficient(applied, friction_coefficient(falling, T(fastest_rate * fastest_rate)), relative);
   const T decay = coefficient * duration / I3;
   if (applied.coulomb != T(0)) return applied.coulomb * duration / I3 + decay * relative <= T(kDry) * spin;
   return decay <= T(kOther) && relative * real::exp(-decay) > T(kOfTheCarrier) * carrier_rate;

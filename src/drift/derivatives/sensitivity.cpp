@@ -80,9 +80,8 @@ class SymmetricTop {
     const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B), i = (axis + 1) % 3, j = (axis + 2) % 3;
     const Mat3<double>& I = d.I_BP_B;
     const Vec3<double>& m = d.mass_moment_B;
-    const bool has_disc = d.applied.disc_laminar != 0 || d.applied.disc_turbulent != 0;
     return I(i, i) == I(j, j) && I(i, j) == 0 && I(i, axis) == 0 && I(j, axis) == 0 && m[i] == 0 && m[j] == 0 &&
-           d.coriolis == 0 && d.centrifugal == 0 && d.release == 0 && (axis == 2 || !has_disc);
+           d.coriolis == 0 && d.centrifugal == 0 && d.release == 0 && (axis == 2 || !d.applied.has_disc());
   }
   BesideJets beside_;
   Release<Jet> release_;

@@ -79,9 +79,7 @@ CompassRates<S> compass_rates(const Model<T>& model, const ReducedTop<T>& top, c
     const S spin = x.w3 - carried;
     const S coefficient = friction_coefficient(applied, S(x.p * x.p + spin * spin));
     damping += coefficient;
-    S along = coefficient;
-    if (applied.disc_laminar != T(0) || applied.disc_turbulent != T(0)) along += disc_drag_coefficient(applied, spin);
-    spinning = -(S(T(1) / top.I3) * along) * spin;
+    spinning = -(S(T(1) / top.I3) * spin_friction_coefficient(applied, coefficient, spin)) * spin;
   }
   p -= S(T(1) / top.I1) * damping * x.p;
   return {p, spinning};
