@@ -19,10 +19,8 @@ class PeerSystem {
   PeerSystem(const MotionProblem<double>& problem, const Watch& watch) : problem_(problem), watch_(watch) {}
 
   State initial_state() const {
-    const Release<double>& release = problem_.release;
-    Vec3<double> w_IB_B = problem_.units.rate_from_rad_s(release.w_XB_B);
-    if (release.X == RatesRelativeTo::laboratory)
-      w_IB_B += transposed_times(rotation_matrix(release.q_LB), problem_.model.W_IL_L);
+    const NaturalRelease<double> release = problem_.natural_release();
+    const Vec3<double> w_IB_B = release.inertial_rate_B(problem_.model.W_IL_L);
     return {release.q_LB.w, release.q_LB.v[0], release.q_LB.v[1], release.q_LB.v[2], w_IB_B[0], w_IB_B[1], w_IB_B[2]};
   }
 

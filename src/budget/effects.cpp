@@ -202,7 +202,7 @@ using FrictionCoefficient = double AppliedTorques<double>::*;
 template <FrictionCoefficient... coefficients>
 std::optional<Candidate> friction(const Scene& scene) {
   const DriftProblem<double>& problem = scene.problem<double>();
-  const double rate = std::max(norm(problem.units.rate_from_rad_s(problem.release.w_XB_B)), 1e-3);
+  const double rate = std::max(norm(problem.natural_release().w_XB_B), 1e-3);
   AppliedTorques<double> alone;
   ((alone.*coefficients = problem.model.applied.*coefficients), ...);
   const double size = norm(friction_torque(alone, Vec3<double>(0, 0, rate)));

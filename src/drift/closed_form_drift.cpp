@@ -25,8 +25,8 @@ class ExactPair {
   ExactPair(const DriftProblem<T>& problem, const std::vector<T>& times)
       : problem_(problem),
         body_(exact_body(problem.model)),
-        w0_ref_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
-        w0_rot_B_(inertial_release_rate(problem)),
+        w0_ref_B_(problem.natural_release().w_XB_B),
+        w0_rot_B_(problem.natural_release().inertial_rate_B(problem.model.W_IL_L)),
         reference_(body_, problem.release.q_LB, w0_ref_B_),
         followed_reference_(follow(w0_ref_B_)) {
     const bool one_motion = problem.release.X == RatesRelativeTo::inertial || problem.model.W_IL_L == Vec3<T>::Zero();

@@ -17,8 +17,7 @@ namespace {
 template <class T, Observer O, SceneKind K, RotatingMotion R>
 DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   DriftSystem<T, O, K, R> system(problem.model);
-  const Release<T>& release = problem.release;
-  const auto x = system.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
+  const auto x = system.initial_state(problem.natural_release());
   // Both motions may turn at the fastest rate, and the angle between them must change by less than half a turn between two
   // looks. The steps of the other methods are short enough anyway.
   const T largest_step = row_of(options.method).cost.is_watched ? T(1.5) / problem.fastest_rate : T(0);
@@ -36,9 +35,9 @@ DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const Integ
   const auto integrate = [&](auto&& system) {
     return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
   };
-  if (is_reducible(problem.model)) return integrate(ReducedDriftSystem<T, O>(problem.model, problem.release, problem.units));
-  if (is_compass(problem.model)) return integrate(CompassDrift<T, O>(problem.model, problem.release, problem.units));
-  return integrate(DrivenReducedDrift<T, O>(problem.model, problem.release, problem.units));
+  if (is_reducible(problem.model)) return integrate(ReducedDriftSystem<T, O>(problem.model, problem.natural_release()));
+  if (is_compass(problem.model)) return integrate(CompassDrift<T, O>(problem.model, problem.natural_release()));
+  return integrate(DrivenReducedDrift<T, O>(problem.model, problem.natural_release()));
 }
 
 }  // namespace

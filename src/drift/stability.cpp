@@ -19,15 +19,10 @@ constexpr double kSlowEarth = 0.01;    // the Earth's rate over the nutation's, 
 constexpr double kTaken = 0.25;        // share of the spin that friction takes from a motion next to a closed form, at most
 constexpr double kEFoldings = 1;       // e-foldings that a weak torque could make in such a motion, at most
 
-Vec3<double> release_rate(const MotionProblem<double>& problem) {
-  return problem.units.rate_from_rad_s(problem.release.w_XB_B);
-}
-
 /// The inertial rates with which the two motions start, in body axes.
 std::array<Vec3<double>, 2> inertial_rates(const MotionProblem<double>& problem) {
-  const Vec3<double> w = release_rate(problem);
-  const Vec3<double> W_B = transposed_times(rotation_matrix(problem.release.q_LB), problem.model.W_IL_L);
-  return {w, problem.release.X == RatesRelativeTo::laboratory ? Vec3<double>(w + W_B) : w};
+  const NaturalRelease<double> release = problem.natural_release();
+  return {release.w_XB_B, release.inertial_rate_B(problem.model.W_IL_L)};
 }
 
 bool is_free(const Model<double>& model) { return norm(model.mass_moment_B) == 0 || norm(model.apparent_gravity_L) == 0; }
@@ -57,7 +52,7 @@ bool is_Lagrange_top(const MotionProblem<double>& problem) {
   const Model<double>& model = problem.model;
   if (symmetry_axis(model.I_BP_B, model.mass_moment_B) < 0) return false;
   const ReducedTop<double> top = reduced_top(model);
-  const double nutation = std::abs(top.spin_ratio * release_rate(problem)[top.axis]);
+  const double nutation = std::abs(top.spin_ratio * problem.natural_release().w_XB_B[top.axis]);
   const double pendulum = std::sqrt(norm(model.apparent_gravity_L) * std::abs(top.moment_ratio));
   return norm(model.W_IL_L) <= kSlowEarth * std::max(nutation, pendulum);
 }
@@ -91,7 +86,7 @@ double stiffness_of_weak_torques(const Model<double>& model) {
 double share_of_spin_taken(const MotionProblem<double>& problem, double duration) {
   const AppliedTorques<double>& applied = problem.model.applied;
   if (!applied.friction()) return 0;
-  const Vec3<double> w = release_rate(problem);
+  const Vec3<double> w = problem.natural_release().w_XB_B;
   const double spin = std::abs(w[2]);
   const double torque = friction_coefficient(applied, w.dot(w)) * spin + disc_drag_coefficient(applied, spin) * spin;
   return torque * duration / (problem.model.I_BP_B(2, 2) * spin);
@@ -121,7 +116,7 @@ std::optional<StandingTop> standing_top(const Model<double>& model, const Quater
 
 std::optional<UprightTop> upright_top(const MotionProblem<double>& problem) {
   if (problem.model.kind != SceneKind::plain) return std::nullopt;
-  const auto top = standing_top(problem.model, problem.release.q_LB, release_rate(problem));
+  const auto top = standing_top(problem.model, problem.release.q_LB, problem.natural_release().w_XB_B);
   if (!top || !is_upright(*top)) return std::nullopt;
   return UprightTop{top->spin_ratio_squared};
 }

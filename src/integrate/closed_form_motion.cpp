@@ -11,7 +11,7 @@ namespace earthtop {
 template <class T>
 MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const ExactBody<T> body = exact_body(problem.model);
-  const Vec3<T> w0_B = inertial_release_rate(problem);
+  const Vec3<T> w0_B = problem.natural_release().inertial_rate_B(problem.model.W_IL_L);
   const ExactMotion<T> motion(body, problem.release.q_LB, w0_B);
   FollowedMotion followed(body.template as<double>(), converted<double>(problem.release.q_LB), converted<double>(w0_B));
 

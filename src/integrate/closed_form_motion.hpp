@@ -6,15 +6,6 @@
 
 namespace earthtop {
 
-/// The inertial rate of the motion on the rotating Earth at release, in body axes and natural units.
-template <class T>
-Vec3<T> inertial_release_rate(const MotionProblem<T>& problem) {
-  const Release<T>& release = problem.release;
-  Vec3<T> w_IB_B = problem.units.rate_from_rad_s(release.w_XB_B);
-  if (release.X == RatesRelativeTo::laboratory) w_IB_B += transposed_times(rotation_matrix(release.q_LB), problem.model.W_IL_L);
-  return w_IB_B;
-}
-
 /// @throws std::logic_error for a scene without a closed form
 template <class T>
 MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);

@@ -14,9 +14,9 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
   using Top = TiltedTop<double>;
   const ReducedTop<double> symmetric = reduced_top(problem.model);
   if (symmetric.axis != 2) throw std::logic_error("long_horizon: the top is not symmetric about body axis 3");
-  const Vec3<double> w_XB_B = problem.units.rate_from_rad_s(problem.release.w_XB_B);
+  const NaturalRelease<double> release = problem.natural_release();
   const std::vector<double> times = natural_times(problem);
-  const Top top(problem.model, symmetric, problem.release.q_LB, w_XB_B, problem.release.X, problem.model.W_IL_L);
+  const Top top(problem.model, symmetric, release, problem.model.W_IL_L);
   MotionTrajectory<double> trajectory;
   trajectory.samples.reserve(times.size());
   const double tolerance = options.relative_tolerance;
@@ -53,12 +53,12 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
       trajectory.status = RunStatus::not_finite;
       break;
     }
-    const Quaternion<double> spin = steady_turn(2, w_XB_B[2], times[i]);
+    const Quaternion<double> spin = steady_turn(2, release.w_XB_B[2], times[i]);
     MotionSample<double> sample;
     sample.t_s = problem.times_s[i];
     sample.q_LB = last * spin;
-    sample.w_LB_B =
-        transposed_times(rotation_matrix(spin), Vec3<double>(seen.across.re, seen.across.im, w_XB_B[2] + seen.spin_excess));
+    sample.w_LB_B = transposed_times(rotation_matrix(spin),
+                                     Vec3<double>(seen.across.re, seen.across.im, release.w_XB_B[2] + seen.spin_excess));
     for (int k = 0; k < 3; ++k) sample.w_LB_B[k] = problem.units.rate_to_rad_s(sample.w_LB_B[k]);
     trajectory.samples.push_back(sample);
   }

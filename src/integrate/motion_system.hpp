@@ -76,19 +76,19 @@ class GeneralMotionSystem
   }
 
   State initial_state() const {
-    const Release<T>& release = problem_.release;
-    const Mat3<T> R_LB = rotation_matrix(release.q_LB);
-    const Vec3<T> w_XB_B = problem_.units.rate_from_rad_s(release.w_XB_B), W_B = R_LB.transpose() * model_.W_IL_L;
-    const bool inertial = release.X == RatesRelativeTo::inertial;
+    const auto [q_LB, w_XB_B, X] = problem_.natural_release();
+    const Mat3<T> R_LB = rotation_matrix(q_LB);
+    const Vec3<T> W_B = R_LB.transpose() * model_.W_IL_L;
+    const bool inertial = X == RatesRelativeTo::inertial;
     const Vec3<T> w_LB_B = inertial ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
     const Vec3<T> w_IB_B = inertial ? w_XB_B : Vec3<T>(w_XB_B + W_B);
     State x;
     if constexpr (O == Observer::laboratory)
-      store({release.q_LB, R_LB * (model_.I_BP_B * w_LB_B)}, x);
+      store({q_LB, R_LB * (model_.I_BP_B * w_LB_B)}, x);
     else if constexpr (O == Observer::body)
-      store({release.q_LB, w_IB_B}, x);
+      store({q_LB, w_IB_B}, x);
     else
-      store({release.q_LB, R_LB * (model_.I_BP_B * w_IB_B)}, x);
+      store({q_LB, R_LB * (model_.I_BP_B * w_IB_B)}, x);
     return x;
   }
 
@@ -96,10 +96,9 @@ class GeneralMotionSystem
   /// the duration to an error of the attitude.
   State initial_rest() const {
     State rest{};
-    const Release<T>& release = problem_.release;
-    if (O != Observer::body || release.X == RatesRelativeTo::inertial) return rest;
-    const Vec3<T> w_XB_B = problem_.units.rate_from_rad_s(release.w_XB_B);
-    const Vec3<T> W_B = rotation_matrix(release.q_LB).transpose() * model_.W_IL_L;
+    const auto [q_LB, w_XB_B, X] = problem_.natural_release();
+    if (O != Observer::body || X == RatesRelativeTo::inertial) return rest;
+    const Vec3<T> W_B = rotation_matrix(q_LB).transpose() * model_.W_IL_L;
     for (int i = 0; i < 3; ++i) {
       const T sum = w_XB_B[i] + W_B[i], of_earth = sum - w_XB_B[i];
       rest[4 + static_cast<std::size_t>(i)] = (w_XB_B[i] - (sum - of_earth)) + (W_B[i] - of_earth);
@@ -169,7 +168,7 @@ class ReducedMotionSystem
       : model_(problem.model),
         top_(reduced_top(problem.model)),
         R_LB_(rotation_matrix(problem.release.q_LB)),
-        w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
+        w_XB_B_(problem.natural_release().w_XB_B),
         W_B_(problem.release.X == RatesRelativeTo::inertial ? Vec3<T>(Vec3<T>::Zero())
                                                             : Vec3<T>(R_LB_.transpose() * model_.W_IL_L)),
         W_L_(model_.W_IL_L),

@@ -22,13 +22,13 @@ Quaternion<T> from_up(const Vec3<T>& u) {
 }  // namespace
 
 template <class T>
-TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B,
-                        RatesRelativeTo X, const Vec3<T>& W_L)
+TiltedTop<T>::TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const NaturalRelease<T>& release, const Vec3<T>& W_L)
     : I1_(top.I1) {
-  const Quaternion<T> q = q_LB.normalized();
+  const Quaternion<T> q = release.q_LB.normalized();
+  const Vec3<T>& w_XB_B = release.w_XB_B;
   const Mat3<T> R_LB = rotation_matrix(q);
   const Vec3<T> W_B = transposed_times(R_LB, W_L), n = R_LB.col(2);
-  const bool inertial = X == RatesRelativeTo::inertial;
+  const bool inertial = release.X == RatesRelativeTo::inertial;
   const Vec3<T> w_LB_B = inertial ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
   spin_start_ = inertial ? T(0) : W_B[2];
   const T kappa = top.I3 * (w_XB_B[2] + spin_start_);

@@ -43,9 +43,7 @@ template <class T>
 class TiltedTop {
  public:
   /// @param top  must be symmetric about body axis 3   @param W_L  the rate of the Earth
-  /// @param w_XB_B  rate at release in the model's units, relative to the laboratory or to inertial space, as `X` says
-  TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B,
-            RatesRelativeTo X, const Vec3<T>& W_L);
+  TiltedTop(const Model<T>& model, const ReducedTop<T>& top, const NaturalRelease<T>& release, const Vec3<T>& W_L);
 
   const TiltedTopState<T>& start() const { return start_; }
   /// The period of the nutation that begins at the start; infinite where there is none.

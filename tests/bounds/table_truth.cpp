@@ -17,7 +17,7 @@ void slide_in_inertial_axes(const Scenario& scenario, double tolerance, TrueRun&
   const Scene scene(scenario);
   const DriftProblem<T>& problem = scene.problem<T>();
   const TableProblem<T>& table = *problem.table;
-  Drift drift(problem.model, table.contact, table.start, problem.release, problem.units);
+  Drift drift(problem.model, table.contact, table.start, problem.natural_release());
   typename Drift::State x = drift.initial_state();
   GroupScales<T, typename Drift::Shape> scales;
   scales.include(x), scales.include(drift.typical_state());

@@ -147,7 +147,7 @@ double jacobi_integral(const DriftProblem<double>& problem, const MotionSample<d
   const Vec3<double> W_B = transposed_times(R_LB, model.W_IL_L);
   const Vec3<double> w_IB_B = problem.units.rate_from_rad_s(sample.w_LB_B) + W_B;
   const Vec3<double> L_B = model.I_BP_B * w_IB_B;
-  const double kinetic = L_B.dot(w_IB_B) / 2, spin = problem.units.rate_from_rad_s(problem.release.w_XB_B[2]);
+  const double kinetic = L_B.dot(w_IB_B) / 2, spin = problem.natural_release().w_XB_B[2];
   const double potential = -times(R_LB, model.mass_moment_B).dot(model.apparent_gravity_L);
   return (kinetic + potential - L_B.dot(W_B)) / (model.I_BP_B(2, 2) * spin * spin / 2);
 }

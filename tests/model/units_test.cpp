@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/integrate/motion_integration.hpp"
 #include "earthtop/model/equations.hpp"
 #include "frames/random_cases.hpp"
 
@@ -129,6 +130,50 @@ TEST(NaturalUnits, ChangeNoDigitOfTheModelNorOfItsEquations) {
         }
       }
   });
+}
+
+// Whoever makes a problem gives its release in rad/s, whatever the units of its model are.
+TEST(NaturalUnits, ChangeNoMotionOfAProblemMadeByHand) {
+  Random random(604);
+  const Body<double> body = make_body<double>(any_body(random));
+  const Site site{40, 0, 0, 9.8};
+  for (const RatesRelativeTo X : {RatesRelativeTo::laboratory, RatesRelativeTo::inertial})
+    for (const Observer observer : {Observer::laboratory, Observer::body, Observer::inertial}) {
+      const double earth = 0.3, fastest = 60;
+      const auto problem_in = [&](const NaturalUnits& units) {
+        MotionProblem<double> problem;
+        problem.model = make_model<double>(body, site, earth, {}, nullptr, units);
+        problem.release = {Quaternion<double>{0.8, Vec3<double>(0, 0.6, 0)}, Vec3<double>(1, -2, 40), X};
+        problem.units = units;
+        problem.fastest_rate = units.rate_from_rad_s(fastest);
+        problem.times_s = {0, 0.25, 0.5};
+        return problem;
+      };
+      const NaturalUnits units{-7, -5};
+      const MotionProblem<double> si = problem_in({}), natural = problem_in(units);
+      const NaturalRelease<double> release = natural.natural_release();
+      EXPECT_EQ(release.q_LB.w, natural.release.q_LB.w);
+      EXPECT_EQ(release.q_LB.v, natural.release.q_LB.v);
+      EXPECT_EQ(release.X, X);
+      EXPECT_EQ(release.w_XB_B, Vec3<double>(1.0 / 32, -2.0 / 32, 40.0 / 32));
+      const Vec3<double> W_B = rotation_matrix(release.q_LB).transpose() * natural.model.W_IL_L;
+      const Vec3<double> w_IB_B = release.w_XB_B + (X == RatesRelativeTo::laboratory ? 1.0 : 0.0) * W_B;
+      EXPECT_LT(norm(Vec3<double>(release.inertial_rate_B(natural.model.W_IL_L) - w_IB_B)), 1e-15);
+
+      IntegrationOptions options;
+      options.method = Method::dopri5, options.observer = observer, options.form = ModelForm::general;
+      options.relative_tolerance = 1e-11;
+      const MotionTrajectory<double> a = integrate_motion(si, options), b = integrate_motion(natural, options);
+      ASSERT_EQ(a.samples.size(), 3u);
+      ASSERT_EQ(b.samples.size(), 3u);
+      // A hundred times the error of the steps, whose lengths depend a little on the units.
+      constexpr double kOfSteps = 1e-8;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Quaternion<double> turn = a.samples[i].q_LB.conjugate() * b.samples[i].q_LB;
+        EXPECT_LT(norm(turn.v), kOfSteps);
+        EXPECT_LT(norm(Vec3<double>(a.samples[i].w_LB_B - b.samples[i].w_LB_B)), kOfSteps * fastest);
+      }
+    }
 }
 
 TEST(MakeModel, EarthRateIsKeptAsSizeTimesDirection) {

@@ -77,7 +77,7 @@ struct ContactProblem {
   template <Observer O, Form F = Form::reduced>
   auto system() const {
     using System = std::conditional_t<F == Form::reduced, ContactReducedDrift<T, O>, ContactGeneralDrift<T, O>>;
-    return System(model, contact, start, release, units);
+    return System(model, contact, start, units.release_from_rad_s(release));
   }
 };
 

@@ -22,6 +22,9 @@ struct MotionProblem {
   T fastest_rate = T(1);        ///< rough upper bound on the motion's rates (natural units); sets first and fixed steps
   std::vector<double> times_s;  ///< output times (s); the first is the release, 0
   Pace pace = {};               ///< limits the work of each integration of the problem; no limit while it is not known()
+
+  /// The release as the equations take it, in the model's units.
+  NaturalRelease<T> natural_release() const { return units.release_from_rad_s(release); }
 };
 
 /// The work at which an integration of the variational equations of the problem's motion is stopped; none where the problem's

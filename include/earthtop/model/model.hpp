@@ -72,6 +72,10 @@ struct NaturalUnits {
   Vec3<T> rate_from_rad_s(const Vec3<T>& w) const {
     return {rate_from_rad_s(w[0]), rate_from_rad_s(w[1]), rate_from_rad_s(w[2])};
   }
+  template <class T>
+  NaturalRelease<T> release_from_rad_s(const Release<T>& release) const {
+    return {release.q_LB, rate_from_rad_s(release.w_XB_B), release.X};
+  }
 };
 
 /// Units in which the largest pivot moment and the fastest rate of the scene (spin, pendulum, Earth or platform) lie in [1/2,

@@ -16,6 +16,19 @@ struct Release {
   RatesRelativeTo X = RatesRelativeTo::laboratory;
 };
 
+/// A release as the equations take it: with its rates in a model's units (NaturalUnits).
+template <class T>
+struct NaturalRelease {
+  Quaternion<T> q_LB;
+  Vec3<T> w_XB_B = Vec3<T>::Zero();  ///< rad per unit of time
+  RatesRelativeTo X = RatesRelativeTo::laboratory;
+
+  /// The body's inertial rate on the rotating Earth, in body axes.   @param W_L  the Earth's rate
+  Vec3<T> inertial_rate_B(const Vec3<T>& W_L) const {
+    return X == RatesRelativeTo::inertial ? w_XB_B : Vec3<T>(w_XB_B + transposed_times(rotation_matrix(q_LB), W_L));
+  }
+};
+
 /// R_LB = Rz(90 deg - azimuth) Ry(tilt) Rz(spin angle): the axis leans by `tilt` toward the compass azimuth. Exact at multiples
 /// of 90 degrees.
 template <class T>

@@ -22,8 +22,7 @@ bool is_stiff(const DriftProblem<double>& problem) {
   const Contact<double>& c = problem.table->contact;
   double slow_slip = 0;  // below which friction is in proportion to slip
   if (c.law == ContactLaw::coulomb) slow_slip = c.slip_floor;
-  if (c.law == ContactLaw::contensou)
-    slow_slip = c.slip_of_spin * c.patch_radius * norm(problem.units.rate_from_rad_s(problem.release.w_XB_B));
+  if (c.law == ContactLaw::contensou) slow_slip = c.slip_of_spin * c.patch_radius * norm(problem.natural_release().w_XB_B);
   const double arm = c.tip_radius + std::abs(c.height_of_center), across = std::min(c.I1, c.I3);
   const double most = c.coefficient * norm(problem.model.apparent_gravity_L) * (1 + c.mass * arm * arm / across);
   return slow_slip > 0 && most > kFast * problem.fastest_rate * slow_slip;
@@ -52,7 +51,7 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
   ContactChanges all{changes.size()};
   std::ranges::copy(changes, all.of_inputs.begin());
   using Tangents = ContactTangents<Drift>;
-  const Tangents motion(Drift(model, problem.table->contact, problem.table->start, problem.release, problem.units), all);
+  const Tangents motion(Drift(model, problem.table->contact, problem.table->start, problem.natural_release()), all);
 
   typename Tangents::State x = motion.initial_state();
   GroupScales<double, typename Tangents::Shape> scales;
@@ -92,7 +91,7 @@ ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<co
 bool rolls_from_release(const DriftProblem<double>& problem) {
   const TableProblem<double>& table = *problem.table;
   return has_exact_coulomb(table.contact) && !slips_at_release(ContactReducedDrift<double, Observer::laboratory>(
-                                                 problem.model, table.contact, table.start, problem.release, problem.units));
+                                                 problem.model, table.contact, table.start, problem.natural_release()));
 }
 
 }  // namespace

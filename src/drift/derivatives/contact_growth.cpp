@@ -58,10 +58,10 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   using Tangents = ContactTangents<Drift>;
   const Model<double> model = without_earth_rate(problem.model);
   const TableProblem<double>& table = *problem.table;
-  const Tangents motion(Drift(model, table.contact, table.start, problem.release, problem.units), {kFollowed});
+  const Tangents motion(Drift(model, table.contact, table.start, problem.natural_release()), {kFollowed});
   const Drift& drift = motion.drift();
 
-  const double spin = norm(problem.units.rate_from_rad_s(problem.release.w_XB_B));
+  const double spin = norm(problem.natural_release().w_XB_B);
   const double rate = spin > 0 ? spin : problem.fastest_rate;
   typename Tangents::State x = motion.initial_state();
   for (std::size_t d = 0; d < kFollowed; ++d) {

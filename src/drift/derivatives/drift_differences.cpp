@@ -155,7 +155,7 @@ class Differences {
     return note(run) && run.kick_steps;
   }
   double epsilon() const { return problem_.model.epsilon; }
-  double spin() const { return problem_.units.rate_from_rad_s(problem_.release.w_XB_B[2]); }
+  double spin() const { return problem_.natural_release().w_XB_B[2]; }
   /// @param period_s  of the nutation, roughly; may be infinite
   void choose_times(double time_s, double period_s) {
     const double turns = turned_ / (2 * real::pi<double>());

@@ -243,8 +243,8 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   const double rate = problem.fastest_rate, end = problem.units.time_from_s(duration_s);
   const auto seconds = [&](double t) { return real::scale(t, problem.units.time_exponent); };
 
-  Motion<double> release{problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B)};
-  if (problem.release.X == RatesRelativeTo::laboratory) release.m += transposed_times(rotation_matrix(release.q), model.W_IL_L);
+  const NaturalRelease<double> given = problem.natural_release();
+  const Motion<double> release{given.q_LB, given.inertial_rate_B(model.W_IL_L)};
   using System = DisturbedMotion<Law>;
   const System system(model, Law(problem, release));
   typename System::State x = system.initial_state();

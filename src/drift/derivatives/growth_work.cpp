@@ -21,7 +21,7 @@ bool has_smooth_series(const MotionProblem<double>& problem, double duration_s) 
   double I3 = 1, w3 = 0;  // of a body whose rates no symmetry keeps
   if (is_spinless(model)) {
     const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
-    I3 = model.I_BP_B(axis, axis), w3 = problem.units.rate_from_rad_s(problem.release.w_XB_B[axis]);
+    I3 = model.I_BP_B(axis, axis), w3 = problem.natural_release().w_XB_B[axis];
   }
   const double carrier_rate = model.platform.turn.largest_rate(end) + norm(model.W_IL_L);
   return friction_stays_smooth(model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);

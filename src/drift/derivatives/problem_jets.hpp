@@ -106,14 +106,12 @@ inline Model<Jet> jets_of(const Model<double>& model, const Inputs& inputs) {
   return jets;
 }
 
-inline Release<Jet> jets_of(const Release<double>& release, const NaturalUnits& units, const Inputs& inputs) {
-  Release<Jet> jets;
+inline NaturalRelease<Jet> jets_of(const NaturalRelease<double>& release, const Inputs& inputs) {
+  NaturalRelease<Jet> jets;
   jets.q_LB.w = release.q_LB.w;
   for (std::size_t k = 0; k < inputs.size(); ++k) jets.q_LB.w.d[k] = inputs[k].q_LB.w;
   jets.q_LB.v = with_derivatives(release.q_LB.v, inputs, [](const ProblemDerivative& d) { return d.q_LB.v; });
-  jets.w_XB_B = with_derivatives(release.w_XB_B, inputs, [&](const ProblemDerivative& d) {
-    return Vec3<double>(units.rate_to_rad_s(d.w_XB_B[0]), units.rate_to_rad_s(d.w_XB_B[1]), units.rate_to_rad_s(d.w_XB_B[2]));
-  });
+  jets.w_XB_B = with_derivatives(release.w_XB_B, inputs, [](const ProblemDerivative& d) { return d.w_XB_B; });
   jets.X = release.X;
   return jets;
 }

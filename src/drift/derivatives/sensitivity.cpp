@@ -31,8 +31,8 @@ class AnyBody {
 
   AnyBody(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
       : beside_{problem.model, inputs, count}, model_(jets_of(problem.model, inputs)), system_(model_) {
-    const Release<Jet> release = jets_of(problem.release, problem.units, inputs);
-    initial_ = system_.initial_state(release.q_LB, problem.units.rate_from_rad_s(release.w_XB_B), release.X);
+    const NaturalRelease<Jet> release = jets_of(problem.natural_release(), inputs);
+    initial_ = system_.initial_state(release);
     // The share of the Earth's rate in the deviation at release may itself be an input.
     Jet share = 0.0;
     for (std::size_t k = 0; k < kInputs; ++k) share.d[k] = inputs[k].release;
@@ -62,8 +62,7 @@ class SymmetricTop {
 
   SymmetricTop(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
       : beside_{problem.model, inputs, count},
-        release_(jets_of(problem.release, problem.units, inputs)),
-        system_(jets_of(problem.model, inputs), release_, problem.units) {}
+        system_(jets_of(problem.model, inputs), jets_of(problem.natural_release(), inputs)) {}
   static bool fits(const MotionProblem<double>& problem, double time_s, const Inputs& inputs) {
     return is_reducible_when_driven(problem.model) && has_smooth_series(problem, time_s) &&
            std::ranges::all_of(inputs, [&](const ProblemDerivative& d) { return keeps_symmetry(problem.model, d); });
@@ -84,7 +83,6 @@ class SymmetricTop {
            d.coriolis == 0 && d.centrifugal == 0 && d.release == 0 && (axis == 2 || !d.applied.has_disc());
   }
   BesideJets beside_;
-  Release<Jet> release_;
   System system_;
 };
 

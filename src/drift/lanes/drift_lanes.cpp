@@ -48,10 +48,7 @@ class BodyDrift : public DriftSystem<double, Observer::body, SceneKind::plain, R
   static_assert(lanes::are_groups_of<Base>(lanes::kBodyDriftGroups));
 
   explicit BodyDrift(const DriftProblem<double>& problem) : Base(problem.model), problem_(problem) {}
-  State initial_state() const {
-    const Release<double>& release = problem_.release;
-    return Base::initial_state(release.q_LB, problem_.units.rate_from_rad_s(release.w_XB_B), release.X);
-  }
+  State initial_state() const { return Base::initial_state(problem_.natural_release()); }
   double largest_step() const { return 0; }
   template <class Put>
   void constants(const Put& put) const {

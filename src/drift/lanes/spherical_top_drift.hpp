@@ -56,10 +56,10 @@ class SphericalTopDrift {
 
   explicit SphericalTopDrift(const DriftProblem<double>& problem)
       : model_(problem.model),
-        flow_(problem.model, problem.release, problem.units),
+        flow_(problem.model, problem.natural_release()),
         sought_(problem.sought),
         axis_(flow_.top().axis),
-        w3_(problem.units.rate_from_rad_s(problem.release.w_XB_B)[axis_]),
+        w3_(problem.natural_release().w_XB_B[axis_]),
         gravity_(-flow_.top().moment_ratio * model_.apparent_gravity_L[2]) {
     if (axis_ == 0) q_BF_ = {0.5, Vec3<double>(0.5, 0.5, 0.5)};
     if (axis_ == 1) q_BF_ = {0.5, Vec3<double>(-0.5, -0.5, -0.5)};

@@ -15,10 +15,7 @@ class KickedTop : public Top {
  public:
   KickedTop(const DriftProblem<double>& problem, const ReducedTop<double>& top, const Vec3<double>& W_L,
             const std::array<GradientTerm<double>, 2>& gradient)
-      : Top(problem.model, top, problem.release.q_LB, problem.units.rate_from_rad_s(problem.release.w_XB_B), problem.release.X,
-            W_L),
-        excess_(top.I3 - top.I1),
-        gradient_(gradient) {}
+      : Top(problem.model, top, problem.natural_release(), W_L), excess_(top.I3 - top.I1), gradient_(gradient) {}
 
   void set_field_moment(const Vec3<double>& moment_L) { field_moment_L_ = moment_L; }
 

@@ -36,7 +36,7 @@ class LongHorizonDrift {
         watch_(watch),
         model_(problem.model),
         symmetric_(reduced_top(problem.model)),
-        w_XB_B_(problem.units.rate_from_rad_s(problem.release.w_XB_B)),
+        release_(problem.natural_release()),
         times_(natural_times(problem)),
         reference_(top_at(T(0))),
         reference_flow_(reference_, reference_.start()) {}
@@ -86,9 +86,7 @@ class LongHorizonDrift {
   static constexpr T kApart = 1e-3;           ///< phase of the fast motion between the states that rates come from (rad)
   static constexpr double kWalkShare = 0.75;  ///< share of the remaining work that is left after a walk, for the progress
 
-  Top top_at(T epsilon) const {
-    return Top(model_, symmetric_, problem_.release.q_LB, w_XB_B_, problem_.release.X, Vec3<T>(epsilon * model_.W_IL_L_scaled));
-  }
+  Top top_at(T epsilon) const { return Top(model_, symmetric_, release_, Vec3<T>(epsilon * model_.W_IL_L_scaled)); }
   LongHorizonPlan<T> plan_of(const Top& top, T tolerance) {
     const T duration = times_.back();
     if (options_.step_s) {
@@ -218,7 +216,7 @@ class LongHorizonDrift {
   }
 
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
-    PairSystem system(epsilon, w_XB_B_[2]);
+    PairSystem system(epsilon, release_.w_XB_B[2]);
     system.start_from(problem_.release.q_LB);
     StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
@@ -232,7 +230,7 @@ class LongHorizonDrift {
   }
   /// The trajectory from the pairs noted already.
   DriftTrajectory<T> watched(T epsilon, bool exact) {
-    PairSystem system(epsilon, w_XB_B_[2]);
+    PairSystem system(epsilon, release_.w_XB_B[2]);
     system.start_from(problem_.release.q_LB);
     StepWatcher<T, PairSystem> watcher(system, problem_);
     DriftTrajectory<T> trajectory;
@@ -332,7 +330,7 @@ class LongHorizonDrift {
   Watch watch_;
   const Model<T>& model_;
   ReducedTop<T> symmetric_;
-  Vec3<T> w_XB_B_;
+  NaturalRelease<T> release_;
   std::vector<T> times_;
   Top reference_;
   Top::Flow reference_flow_;

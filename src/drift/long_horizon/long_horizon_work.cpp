@@ -27,7 +27,7 @@ double expected_drift_rad(const DriftProblem<double>& problem, const TiltedTop<d
 /// Whether the axis stays near the angular momentum of the release: the nutation that the method averages over is small, as that of a top
 /// let go slowly is.
 bool nutates_little(const DriftProblem<double>& problem) {
-  const Vec3<double> w_XB_B = problem.units.rate_from_rad_s(problem.release.w_XB_B), momentum = problem.model.I_BP_B * w_XB_B;
+  const Vec3<double> momentum = problem.model.I_BP_B * problem.natural_release().w_XB_B;
   return real::hypot(momentum[0], momentum[1]) < std::abs(momentum[2]);
 }
 
@@ -60,10 +60,9 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
   looks += static_cast<double>(problem.times_s.size() - 1);
 
   const ReducedTop<double> symmetric = reduced_top(model);
-  const Vec3<double> w_XB_B = problem.units.rate_from_rad_s(problem.release.w_XB_B);
+  const NaturalRelease<double> release = problem.natural_release();
   const auto top_at = [&](double epsilon) {
-    return TiltedTop<double>(model, symmetric, problem.release.q_LB, w_XB_B, problem.release.X,
-                             Vec3<double>(epsilon * model.W_IL_L_scaled));
+    return TiltedTop<double>(model, symmetric, release, Vec3<double>(epsilon * model.W_IL_L_scaled));
   };
   const bool is_second = options.observer != Observer::laboratory;
   Averaging averaging = Averaging::none;

@@ -19,10 +19,11 @@ class CompassDrift : public WithSeries<RecordedSeries<T, CompassShape::kSize>> {
   using State = std::array<T, kSize>;
 
   /// @param release  with rates relative to the laboratory
-  CompassDrift(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
+  CompassDrift(const Model<T>& model, const NaturalRelease<T>& release)
       : release_q_LB_(release.q_LB.normalized()), epsilon_(model.epsilon) {
     const Mat3<T> R_LB = rotation_matrix(release_q_LB_);
-    const Vec3<T> w_LB_B = units.rate_from_rad_s(release.w_XB_B), w_LB_L = times(R_LB, w_LB_B);
+    const Vec3<T>& w_LB_B = release.w_XB_B;
+    const Vec3<T> w_LB_L = times(R_LB, w_LB_B);
     const T level = real::hypot(R_LB(0, 2), R_LB(1, 2));
     const T east = R_LB(0, 2) / level, north = R_LB(1, 2) / level;
     release_p_ = w_LB_L[2];

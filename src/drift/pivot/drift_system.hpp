@@ -132,12 +132,13 @@ class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
   }
 
   /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.
-  /// @param w_XB_B  in natural units
-  State initial_state(const Quaternion<T>& q_LB, const Vec3<T>& w_XB_B, RatesRelativeTo X) const {
+  State initial_state(const NaturalRelease<T>& release) const {
+    const Quaternion<T>& q_LB = release.q_LB;
+    const Vec3<T>& w_XB_B = release.w_XB_B;
     const Mat3<T> R_LB = rotation_matrix(q_LB);
     const Vec3<T> W_B_scaled = R_LB.transpose() * model_.W_IL_L_scaled;
     const Vec3<T> W_B = model_.epsilon * W_B_scaled;
-    const bool inertial_rates = X == RatesRelativeTo::inertial;
+    const bool inertial_rates = release.X == RatesRelativeTo::inertial;
     // The rates of the rotating body relative to L and to I, and their deviations over epsilon, all from the given rates.
     const Vec3<T> w_LB_B = inertial_rates ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
     const Vec3<T> w_IB_B = inertial_rates ? w_XB_B : Vec3<T>(w_XB_B + W_B);

@@ -18,13 +18,12 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
   static constexpr bool kSeriesOnly = true;
   using State = std::array<T, kSize>;
 
-  DrivenReducedDrift(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
+  DrivenReducedDrift(const Model<T>& model, const NaturalRelease<T>& release)
       : release_(release),
-        w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
         top_(reduced_top(model)),
-        b_(top_, w_XB_B_[top_.axis]),
-        equations_{model, top_, w_XB_B_[top_.axis], initial_rate_deviation_B(model)[top_.axis], b_.value, b_.rest},
-        frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
+        b_(top_, release.w_XB_B[top_.axis]),
+        equations_{model, top_, release.w_XB_B[top_.axis], initial_rate_deviation_B(model)[top_.axis], b_.value, b_.rest},
+        frame_(top_.axis, release.q_LB, release.w_XB_B[top_.axis]) {}
 
   const DrivenReducedEquations<T, O>& equations() const { return equations_; }
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
@@ -38,7 +37,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
     const Vec3<T> difference_B = initial_rate_deviation_B(equations_.model);
     State x{};
     store_vector(R_LB.col(top_.axis), x, 0);
-    store_vector(times(R_LB, transverse(w_XB_B_)), x, 3);
+    store_vector(times(R_LB, transverse(release_.w_XB_B)), x, 3);
     store_vector(R_LB.col((top_.axis + 1) % 3), x, 6);
     x[11] = T(1);
     store_vector(times(R_LB, transverse(difference_B)), x, 15);
@@ -93,8 +92,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
     return v_B;
   }
 
-  const Release<T>& release_;
-  Vec3<T> w_XB_B_;
+  NaturalRelease<T> release_;
   ReducedTop<T> top_;
   NutationRate<T> b_;
   DrivenReducedEquations<T, O> equations_;

@@ -42,13 +42,12 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
 
-  ReducedDriftSystem(const Model<T>& model, const Release<T>& release, const NaturalUnits& units)
+  ReducedDriftSystem(const Model<T>& model, const NaturalRelease<T>& release)
       : model_(model),
         top_(reduced_top(model)),
-        w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
         release_(release),
-        constants_(top_, w_XB_B_[top_.axis], initial_rate_deviation_B()[top_.axis], model.epsilon),
-        frame_(top_.axis, release.q_LB, w_XB_B_[top_.axis]) {}
+        constants_(top_, release.w_XB_B[top_.axis], initial_rate_deviation_B()[top_.axis], model.epsilon),
+        frame_(top_.axis, release.q_LB, release.w_XB_B[top_.axis]) {}
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     const AxisMotion<T> reference = load_reference(x);
@@ -89,7 +88,7 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
   State initial_state() const {
     const Mat3<T> R_LB = rotation_matrix(release_.q_LB);
     State x;
-    store_reference({R_LB.col(top_.axis), times(R_LB, transverse(w_XB_B_))}, x);
+    store_reference({R_LB.col(top_.axis), times(R_LB, transverse(release_.w_XB_B))}, x);
     store(R_LB.col((top_.axis + 1) % 3), x, 6);
     x[9] = T(1);
     store(Vec3<T>(Vec3<T>::Zero()), x, 10);
@@ -115,7 +114,7 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
   /// The longest time between two states that are seen; 0: no limit. If body axis 3 is not the axis of symmetry it goes round
   /// with the spin, and its angles must be seen often enough.
   T largest_step() const {
-    const T spin = real::abs(w_XB_B_[top_.axis]);
+    const T spin = real::abs(release_.w_XB_B[top_.axis]);
     return top_.axis == 2 || spin == T(0) ? T(0) : T(1) / spin;
   }
 
@@ -128,7 +127,7 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
     DriftState<T> s = seen_from_laboratory<O>(model_, frame_.attitude(reference.n, load(x, 6), t), deviation, t);
     const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
     s.ref_w_LB_B = transposed_times(R_ref, reference.u);
-    s.ref_w_LB_B[top_.axis] = w_XB_B_[top_.axis];
+    s.ref_w_LB_B[top_.axis] = release_.w_XB_B[top_.axis];
     const Vec3<T> v = deviation_rate(reference.n, deviation.p);
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, epsilon * s.e_v_scaled}.normalized();
     const Vec3<T> w_IB_B = s.ref_w_LB_B + epsilon * transposed_times(R_ref, v);
@@ -165,8 +164,7 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
 
   const Model<T>& model_;
   ReducedTop<T> top_;
-  Vec3<T> w_XB_B_;
-  const Release<T>& release_;
+  NaturalRelease<T> release_;
   ReducedDriftConstants<T> constants_;
   SpinlessFrame<T> frame_;  ///< the reference's frame
 };

@@ -25,11 +25,8 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table
   ContactGeneralDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
-                      const Release<T>& release, const NaturalUnits& units)
-      : release_(release),
-        start_(start),
-        w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
-        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH) {}
+                      const NaturalRelease<T>& release)
+      : release_(release), start_(start), equations_(in_table_axes(model, start.q_LH), contact, start.q_LH) {}
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
@@ -41,7 +38,7 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
   /// velocity that the start names.
   State initial_state() const {
     const Mat3<T> R_HB = rotation_matrix(release_.q_LB);
-    const Vec3<T> w = times(R_HB, w_XB_B_);
+    const Vec3<T> w = times(R_HB, release_.w_XB_B);
     const Contact<T>& contact = equations_.contact();
     const Vec3<T> r_c = times(R_HB, contact.p_OC_B), W = equations_.model().W_IL_L_scaled;
     Vec3<T> rate_change = Vec3<T>::Zero(), slip_change = Vec3<T>::Zero();
@@ -61,7 +58,7 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
     const T length = std::max(contact.tip_radius, norm(contact.p_OC_B));
     x[Shape::kPosition] = std::max(real::hypot(x[Shape::kPosition], x[Shape::kPosition + 1]), length);
     if constexpr (Shape::kHasIntegrals)
-      x[Shape::kWork] = x[Shape::kHalf + Shape::kWork] = norm(load_vector(x, Shape::kMomentum)) * norm(w_XB_B_) / T(2) +
+      x[Shape::kWork] = x[Shape::kHalf + Shape::kWork] = norm(load_vector(x, Shape::kMomentum)) * norm(release_.w_XB_B) / T(2) +
                                                          contact.mass * norm(equations_.model().apparent_gravity_L) * length;
     return x;
   }
@@ -113,9 +110,8 @@ class ContactGeneralDrift : public WithSeries<RecordedSeries<T, ContactGeneralSh
   }
 
  private:
-  const Release<T>& release_;
+  NaturalRelease<T> release_;
   ContactRelease<T> start_;
-  Vec3<T> w_XB_B_;
   Equations equations_;
 };
 

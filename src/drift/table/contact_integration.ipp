@@ -17,10 +17,10 @@ template <class T, Observer O>
 DriftTrajectory<T> integrate_on_table(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const TableProblem<T>& table = *problem.table;
   if (is_symmetric(table.contact) && options.form != ModelForm::general) {
-    ContactReducedDrift<T, O> system(problem.model, table.contact, table.start, problem.release, problem.units);
+    ContactReducedDrift<T, O> system(problem.model, table.contact, table.start, problem.natural_release());
     return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
   }
-  ContactGeneralDrift<T, O> system(problem.model, table.contact, table.start, problem.release, problem.units);
+  ContactGeneralDrift<T, O> system(problem.model, table.contact, table.start, problem.natural_release());
   // Both motions may turn at the fastest rate, and the angle between them must change by less than half a turn between two looks.
   const T largest_step = row_of(options.method).cost.is_watched ? T(1.5) / problem.fastest_rate : T(0);
   return integrate_system(system, system.initial_state(), problem, options, watch, largest_step);

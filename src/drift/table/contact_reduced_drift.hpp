@@ -24,12 +24,11 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
 
   /// @param model  in laboratory axes   @param release  its attitude is relative to the table
   ContactReducedDrift(const Model<T>& model, const Contact<T>& contact, const ContactRelease<T>& start,
-                      const Release<T>& release, const NaturalUnits& units)
+                      const NaturalRelease<T>& release)
       : release_(release),
         start_(start),
-        w_XB_B_(units.rate_from_rad_s(release.w_XB_B)),
-        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH, w_XB_B_[2]),
-        attitude_(release.q_LB, w_XB_B_[2]) {}
+        equations_(in_table_axes(model, start.q_LH), contact, start.q_LH, release.w_XB_B[2]),
+        attitude_(release.q_LB, release.w_XB_B[2]) {}
 
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
@@ -43,7 +42,7 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
   /// velocity that the start names.
   State initial_state() const {
     const Mat3<T> R_HB = rotation_matrix(release_.q_LB);
-    const Vec3<T> w = times(R_HB, w_XB_B_), n = R_HB.col(2);
+    const Vec3<T> w = times(R_HB, release_.w_XB_B), n = R_HB.col(2);
     const Contact<T>& contact = equations_.contact();
     const Vec3<T> r_c = contact.height_of_center * n, W = equations_.model().W_IL_L_scaled;
     Vec3<T> rate_change = Vec3<T>::Zero(), slip_change = Vec3<T>::Zero();
@@ -136,9 +135,8 @@ class ContactReducedDrift : public WithSeries<RecordedSeries<T, ContactReducedSh
     return s;
   }
 
-  const Release<T>& release_;
+  NaturalRelease<T> release_;
   ContactRelease<T> start_;
-  Vec3<T> w_XB_B_;
   Equations equations_;
   ContactAttitude<T> attitude_;  ///< relative to the table
 };

@@ -34,7 +34,7 @@ DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, cons
   using Drift = ContactReducedDrift<T, Observer::laboratory>;
   constexpr double kLeftOut = 1e-4;  // of the time to the stop, just before it, is not watched for other events
   const TableProblem<T>& table = *problem.table;
-  Drift drift(problem.model, table.contact, table.start, problem.release, problem.units);
+  Drift drift(problem.model, table.contact, table.start, problem.natural_release());
   const std::vector<T> times = natural_times(problem);
   const T tolerance = T(std::max(options.relative_tolerance, 64 * static_cast<double>(real::epsilon<T>())));
   const auto stop = slide_to_stop(drift, drift.initial_state(), times.back(), tolerance, watch);
@@ -58,7 +58,7 @@ DriftTrajectory<T> integrate_to_stop_and_on(const DriftProblem<T>& problem, cons
       // Where the direction of a small slip turns fast, a series may hold for less than the least step.
       IntegrationOptions other = options;
       other.method = Method::extrapolation;
-      Drift again(problem.model, table.contact, table.start, problem.release, problem.units);
+      Drift again(problem.model, table.contact, table.start, problem.natural_release());
       whole = integrate_system_at(part_times, again, again.initial_state(), part, other, watch, again.largest_step());
     }
     if (!stop || whole.status != RunStatus::completed) return whole;
