@@ -18,7 +18,8 @@ class InvariantFollower {
   void include(T value, T scale) {
     if (first_) initial_ = value;
     first_ = false;
-    largest_change_ = std::max(largest_change_, real::abs(value - initial_));
+    const T change = real::abs(value - initial_);
+    if (!(change <= largest_change_)) largest_change_ = change;  // also where it is no number
     scale_ = std::max(scale_, scale);
   }
   InvariantReport report() const {

@@ -5,6 +5,7 @@
 
 #include "earthtop/model/invariants.hpp"
 #include "earthtop/model/model.hpp"
+#include "run/invariant_follower.hpp"
 #include "text/number_words.hpp"
 #include "verify/geometry.hpp"
 #include "verify/judge.hpp"
@@ -54,28 +55,29 @@ Instant instant(const Model<double>& model, const DriftRow& row) {
   return {w_IB_B, R_LB.row(2).transpose(), model.I_BP_B * w_IB_B, torque / model.I_BP_B(2, 2)};
 }
 
-double largest_change(const RunResult& result, Term (*integral)(const Instant&)) {
+InvariantReport followed(const RunResult& result, Term (*integral)(const Instant&)) {
   const Model<double>& model = result.modelled.model<double>();
-  const double first = integral(instant(model, result.rows.front())).value;
-  double change = 0, scale = 0;
+  InvariantFollower<double> follower({}, {});
   for (const DriftRow& row : result.rows) {
     const Term term = integral(instant(model, row));
-    change = worse(change, std::abs(term.value - first));
-    scale = std::max(scale, term.scale);
+    follower.include(term.value, term.scale);
   }
-  return share_of(change, scale).value_or(change);
+  return follower.report();
+}
+
+double relative_change(const InvariantReport& invariant) {
+  return share_of(invariant.largest_change, invariant.scale).value_or(invariant.largest_change);
 }
 
 }  // namespace
 
 double invariant_error(const CriterionSpec& criterion, Runs& runs) {
   const RunResult& result = runs.run(criterion.set);
-  if (criterion.quantity == "kovalevskaya") return largest_change(result, kovalevskaya);
-  if (criterion.quantity == "goryachev_chaplygin") return largest_change(result, goryachev_chaplygin);
-  if (criterion.quantity == "vertical_momentum") return largest_change(result, vertical_momentum);
+  if (criterion.quantity == "kovalevskaya") return relative_change(followed(result, kovalevskaya));
+  if (criterion.quantity == "goryachev_chaplygin") return relative_change(followed(result, goryachev_chaplygin));
+  if (criterion.quantity == "vertical_momentum") return relative_change(followed(result, vertical_momentum));
   for (const InvariantReport& invariant : result.invariants)
-    if (invariant.name == criterion.quantity)
-      return share_of(invariant.largest_change, invariant.scale).value_or(invariant.largest_change);
+    if (invariant.name == criterion.quantity) return relative_change(invariant);
   throw NotJudged("this scenario does not conserve it");
 }
 
