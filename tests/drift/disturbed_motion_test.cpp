@@ -14,8 +14,8 @@ namespace {
 constexpr double kRounding = 1e-14;  // of some fifty operations on numbers up to 10
 
 Motion<double> release_of(const MotionProblem<double>& problem) {
-  const Quaternion<double> q = problem.release.q_LB.normalized();
-  return {q, problem.units.rate_from_rad_s(problem.release.w_XB_B)};
+  const NaturalRelease<double> release = problem.natural_release();
+  return {release.q_LB.normalized(), release.w_XB_B};
 }
 
 /// Steps along the series of a law, so that no component of the state is as special as at the release.

@@ -92,6 +92,28 @@ TEST(Recorded, SeriesOfEveryOperationAreTheKnownOnes) {
   expect_known_series<float128>();
 }
 
+/// A coefficient of the state's series is one of its rate's, divided by the order: the rounding of an inverse would be the same at
+/// every step and add up to a phase error. The solution of x' = x shows it, since its rate has no rounding of its own.
+template <class T>
+void expect_quotients() {
+  const int orders = taylor::kMostOrder<T>;
+  for (const T at : {T(1), T(3) / T(7), T(-11) / T(13)}) {
+    taylor::Recording<T> recording;
+    const int state = recording.add({.kind = taylor::Kind::state, .a = 0}, at);
+    taylor::Program<T> program(recording.finish({state}));
+    std::vector<T> x(static_cast<std::size_t>(orders) + 1, at);
+    program.start(std::span(x).first(1), T(0));
+    program.expand(x.data(), orders);
+    for (std::size_t k = 1; k < x.size(); ++k) EXPECT_TRUE(x[k] == x[k - 1] / static_cast<T>(k)) << "order " << k;
+  }
+}
+
+TEST(Recorded, CoefficientsAreRatesDividedByTheirOrders) {
+  expect_quotients<double>();
+  expect_quotients<long double>();
+  expect_quotients<float128>();
+}
+
 /// A power series with the plainest arithmetic.
 template <class T>
 struct PlainSeries {

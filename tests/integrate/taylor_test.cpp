@@ -14,42 +14,6 @@
 namespace earthtop {
 namespace {
 
-template <class T>
-void expect_convolution() {
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> number(-1, 1);
-  taylor::Products<T, 13> products;
-  std::vector<Vec3<T>> a, b;
-  for (int k = 0; k <= taylor::kMostOrder<T>; ++k) {
-    a.emplace_back(T(number(random)), T(number(random)), T(number(random)));
-    b.emplace_back(T(number(random)), T(number(random)), T(number(random)));
-    products.put_cross(k, 0, a.back(), b.back());
-    products.put_scaled(k, 6, a.back()[0], b.back());
-    products.put_parallel(k, 9, a.back(), b.back());
-    products.put(k, 12, b.back()[1], b.back()[1]);
-    products.convolve(k);
-    Vec3<T> cross = Vec3<T>::Zero(), scaled = Vec3<T>::Zero();
-    T dot = T(0), square = T(0);
-    for (int j = 0; j <= k; ++j) {
-      const auto i = static_cast<std::size_t>(j), m = static_cast<std::size_t>(k - j);
-      cross += a[i].cross(b[m]);
-      scaled += a[i][0] * b[m];
-      dot += a[i].dot(b[m]);
-      square += b[i][1] * b[m][1];
-    }
-    const T slack = T(4 * (k + 1)) * real::epsilon<T>();  // sums of k + 1 products below 1
-    EXPECT_LT(norm(Vec3<T>(products.cross(0) - cross)), slack * T(2)) << k;
-    EXPECT_LT(norm(Vec3<T>(products.vector(6) - scaled)), slack * T(2)) << k;
-    EXPECT_LT(real::abs(products.sum_of_three(9) - dot), slack * T(3)) << k;
-    EXPECT_LT(real::abs(products.at(12) - square), slack) << k;
-  }
-}
-
-TEST(TaylorProducts, AreConvolutionsInEveryLane) {
-  expect_convolution<double>();
-  expect_convolution<float128>();
-}
-
 /// The products of random series in kLanes lanes, put in by fours: order by order, then lane by lane.
 template <class T, int kLanes, int kWidth>
 std::vector<T> packed_products(const std::vector<T>& left, const std::vector<T>& right) {

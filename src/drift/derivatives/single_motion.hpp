@@ -15,7 +15,6 @@
 #include "earthtop/model/reduced_torques.hpp"
 #include "integrate/motion_system.hpp"
 #include "integrate/state_vectors.hpp"
-#include "integrate/taylor/attitude_series.hpp"
 #include "integrate/taylor/operations.hpp"
 #include "model/applied_motion.ipp"
 

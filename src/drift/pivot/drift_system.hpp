@@ -6,7 +6,6 @@
 #include <array>
 
 #include "drift/deviation_state.hpp"
-#include "drift/pivot/general_drift_series.hpp"
 #include "drift/pivot/record_drift.hpp"
 #include "drift/watch/resting_motions.hpp"
 #include "earthtop/drift/drift_integration.hpp"
@@ -63,20 +62,15 @@ struct DriftShape {
   }
 };
 
-/// The base class that names a system's Taylor series: written by hand for plain scenes in body axes, recorded for all others.
-/// Both exist only where the rotating motion is composed.
-template <class T, Observer O, SceneKind K, RotatingMotion R>
-struct DriftSeriesOf {
-  using Base =
-      std::conditional_t<R != RotatingMotion::composed, WithoutSeries,
-                         std::conditional_t<O == Observer::body && K == SceneKind::plain, WithSeries<GeneralDriftSeries<T>>,
-                                            WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>>>;
-};
+/// The base class that names a system's Taylor series. There is one only where the rotating motion is composed.
+template <class T, RotatingMotion R>
+using DriftSeriesOf =
+    std::conditional_t<R == RotatingMotion::composed, WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>, WithoutSeries>;
 
 /// @tparam O  the observer whose equations are integrated; known at compile time, so that the right-hand side has no branch
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
-class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
+class DriftSystem : public DriftSeriesOf<T, R> {
  public:
   static constexpr bool kIntegrated = R == RotatingMotion::integrated;
   static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
@@ -125,10 +119,7 @@ class DriftSystem : public DriftSeriesOf<T, O, K, R>::Base {
   }
 
   auto series() const {
-    if constexpr (O == Observer::body && K == SceneKind::plain)
-      return GeneralDriftSeries<T>(model_);
-    else
-      return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_drift<T>(model_, O, x, t); });
+    return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_drift<T>(model_, O, x, t); });
   }
 
   /// The state at release, where both motions have the same attitude and the same rates of the kind that the release names.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Records the right-hand sides of drift integrations of scenes with applied torques, platforms, tides or without one of [F]'s
-/// torques. The recording scalar is compiled apart, since it takes long.
+/// Records the right-hand sides of drift integrations: of any body, of a symmetric top with applied torques, of a wheel in a gimbal.
+/// The recording scalar is compiled apart, since it takes long.
 #pragma once
 
 #include <span>

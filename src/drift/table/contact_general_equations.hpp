@@ -23,7 +23,7 @@
 #include "earthtop/model/general_contact.hpp"
 #include "earthtop/model/inertial_contact.hpp"
 #include "integrate/group_norms.hpp"
-#include "integrate/taylor/attitude_series.hpp"
+#include "integrate/state_vectors.hpp"
 
 namespace earthtop {
 

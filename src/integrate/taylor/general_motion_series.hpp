@@ -4,7 +4,6 @@
 
 #include "earthtop/model/equations.hpp"
 #include "integrate/state_vectors.hpp"
-#include "integrate/taylor/attitude_series.hpp"
 #include "integrate/taylor/packed_products.hpp"
 
 namespace earthtop {
@@ -33,7 +32,8 @@ class GeneralMotionSeries {
     moments_ = Four{I(0, 0), I(1, 1), I(2, 2), T(1)};
   }
 
-  void start(const State& x) { attitude_.start(load_quaternion(x, 0)); }
+  /// Notes |q|, which is constant along the exact motion: its round-off must not scale a torque.
+  void start(const State& x) { double_inverse_norm_squared_ = T(2) / load_quaternion(x, 0).squared_norm(); }
   /// Finds the coefficients of the orders 1 to `order`. @param x  the coefficients, with that of order 0
   void expand(State* x, int order) { expand_series(*this, x, order); }
 
@@ -95,7 +95,7 @@ class GeneralMotionSeries {
   /// @param up  x z - w y, y z + w x, x^2 + y^2
   template <taylor::Place kPlace>
   EARTHTOP_PACK_INLINE void add_gravity_torque(const Four& up, Four& torque) const {
-    const T s = attitude_.double_inverse_norm_squared();
+    const T s = double_inverse_norm_squared_;
     Four plus, minus;
     if constexpr (kPlace == taylor::Place::first) {
       const Four gravity = Four{s * up[0], s * up[1], s * up[2] - T(1), T(0)} * gravity_;
@@ -119,7 +119,7 @@ class GeneralMotionSeries {
   bool principal_;
   Four moments_, rate_, rate_plus_, rate_minus_, rate_y_, moment_plus_, moment_minus_;
   std::array<Four, 3> inertia_, inverse_;
-  AttitudeSeries<T> attitude_;
+  T double_inverse_norm_squared_ = T(2);
   taylor::PackedProducts<T, 24> products_;
 };
 

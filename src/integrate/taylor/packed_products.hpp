@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "integrate/taylor/most_order.hpp"
 #include "integrate/taylor/packs.hpp"
-#include "integrate/taylor/products.hpp"
 
 namespace earthtop::taylor {
 

@@ -64,7 +64,7 @@ struct PackOf<double, N> {
   /// The same where the alignment is that of at most 4 doubles.
   using Stored[[ gnu::vector_size(8 * N), gnu::may_alias, gnu::aligned(N == 2 ? 16 : 32) ]] = double;
 };
-/// N numbers: 2, 4 or 8.
+/// N numbers: 2, 4 or 8; of other scalars than double also 1.
 template <class T, int N>
 using Pack = typename PackOf<T, N>::Type;
 

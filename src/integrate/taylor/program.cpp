@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "integrate/taylor/for_each_processor.hpp"
-#include "integrate/taylor/products.hpp"
+#include "integrate/taylor/most_order.hpp"
 
 namespace earthtop::taylor {
 namespace {
@@ -180,9 +180,10 @@ EARTHTOP_PACK_INLINE void Program<T>::sweep_lanes(int k, int lane) {
 template <class T>
 template <int kWidth>
 EARTHTOP_PACK_INLINE void Program<T>::sweep(int k) {
-  constexpr int kLanes = 4 * kWidth;
+  // Of a long double, 3 numbers for each of 2 lanes are what the x87's registers hold.
+  constexpr int kPacks = kWidth == 1 ? 2 : 4, kLanes = kPacks * kWidth;
   int lane = 0;
-  for (; lane + kLanes <= code_.lanes; lane += kLanes) sweep_lanes<kWidth, 4>(k, lane);
+  for (; lane + kLanes <= code_.lanes; lane += kLanes) sweep_lanes<kWidth, kPacks>(k, lane);
   // The number of lanes is a multiple of 8.
   if constexpr (kWidth == 8) {
     if (lane + 16 <= code_.lanes) sweep_lanes<8, 2>(k, lane), lane += 16;
@@ -192,15 +193,16 @@ EARTHTOP_PACK_INLINE void Program<T>::sweep(int k) {
   }
 }
 
-/// Finds the state's coefficients of order k + 1. @param found  the results of order k
+/// Finds the state's coefficients of order k + 1. They are divided by it: the rounding of an inverse would be the same at every
+/// step and add up to a phase error. @param found  the results of order k
 template <class T>
 EARTHTOP_PACK_INLINE void Program<T>::put_rates(const T* found, int k) {
   const std::uint32_t* places = code_.operands.data() + code_.first_output;
-  const T factor = T(1) / T(k + 1);
+  const T order = T(k + 1);
   for (int i = 0; i < code_.components; i += 4) {
     Pack<T, 4> rate;
     gather(found, places, rate);
-    pack_at<4>(next_.data() + i) = rate * factor;
+    pack_at<4>(next_.data() + i) = rate / order;
   }
 }
 
@@ -311,7 +313,7 @@ void Program<T>::expand(T* x, int order) {
   if constexpr (std::is_same_v<T, double>)
     expand_with_width(*this, x, order, width_);
   else
-    expand_here<4>(x, order);
+    expand_here<1>(x, order);
 }
 
 template class Program<double>;

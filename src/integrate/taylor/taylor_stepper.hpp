@@ -16,7 +16,7 @@
 
 #include "earthtop/elementary.hpp"
 #include "integrate/group_norms.hpp"
-#include "integrate/taylor/products.hpp"
+#include "integrate/taylor/most_order.hpp"
 #include "integrate/taylor/rough_logarithm.hpp"
 
 namespace earthtop::taylor {
