@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "run/assemble.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "run/assemble.hpp"
 #include "run/assessment.hpp"
 #include "run/contact_assessment.hpp"
 #include "run/contact_report.hpp"

@@ -54,6 +54,25 @@ TEST(DisturbedMotion, DisturbancesAreSeenAsTheyArePut) {
   expect_seen_as_put<SpinlessMotion>(top.problem<double>(), any);
 }
 
+// Both have the same changes at a state, to the rounding of their sums.
+TEST(DisturbedMotion, ThePlainRateIsThatOfTheRecordedList) {
+  Scenario scenario = testing::toy_top();
+  testing::set_principal(scenario.body, 1.2e-4, 1.5e-4, 4e-5);
+  const Scene scene(scenario);
+  const MotionProblem<double> problem = scene.problem<double>();
+  const DisturbedMotion<AnyBodyMotion> system(problem.model, AnyBodyMotion(problem, release_of(problem)));
+  auto x = moved(system);
+  for (std::size_t d = 0; d < kDisturbances; ++d)
+    system.put({{0.3, -0.7, 0.5 + double(d)}, {-0.2, 0.9 - double(d), 0.4}}, x, d);
+  std::decay_t<decltype(x)> written, orders[2] = {x};
+  PlainRate<DisturbedMotion<AnyBodyMotion>> rate(system);
+  rate(x, written, 0);
+  auto series = system.series();
+  series.start(x, 0);
+  series.expand(orders, 1);
+  for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(written[i], orders[1][i], kRounding) << i;
+}
+
 // The gimbal lets the wheel turn about Up and about its axis, and these turns change the rate with the carrier's.
 TEST(DisturbedMotion, AWheelTakesWhatItsGimbalAllows) {
   const Scene wheel(testing::gyrocompass(40, 25, 0));

@@ -9,6 +9,7 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 
@@ -72,33 +73,44 @@ class Follower {
 
 enum class Step { taken, rejected, failed };
 
-/// Steps of Fehlberg's method of order 8, for motions whose series end at corners of friction.
+/// The right-hand side of a motion with its disturbances, from its recorded list.
 template <class System>
+class RecordedRate {
+ public:
+  explicit RecordedRate(const System& system) : series_(system.series()) {}
+  void operator()(const typename System::State& x, typename System::State& dxdt, double t) {
+    typename System::State coefficients[2] = {x};
+    series_.start(x, t);
+    series_.expand(coefficients, 1);
+    dxdt = coefficients[1];
+  }
+
+ private:
+  typename System::Series series_;
+};
+
+/// Steps of Fehlberg's method of order 8: for motions whose series end at corners of friction, and for any body in a plain scene, where
+/// steps of low accuracy take less work than series.
+template <class System, template <class> class Rate>
 class EmbeddedSteps {
  public:
   using State = typename System::State;
   EmbeddedSteps(const System& system, const State&, double tolerance, double first_step, double shortest)
-      : series_(system.series()),
+      : rate_(system),
         stepper_(boost::numeric::odeint::make_controlled<Fehlberg>(tolerance, tolerance)),
         dt_(first_step),
         shortest_(shortest) {}
   /// Shows the states at which a motion is looked at: the end of the last step.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
-    look(t, x);
+    look(t, x, true);
   }
   /// Takes a step, not beyond the end.
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
     dt_ = std::min(dt_, end - t);
     if (dt_ < std::min(shortest_, end - t)) return Step::failed;
     evaluations += kStages;
-    const auto rate = [this](const State& at, State& dxdt, double time) {
-      State coefficients[2] = {at};
-      series_.start(at, time);
-      series_.expand(coefficients, 1);
-      dxdt = coefficients[1];
-    };
-    if (stepper_.try_step(rate, x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
+    if (stepper_.try_step(std::ref(rate_), x, t, dt_) != boost::numeric::odeint::fail) return Step::taken;
     return t + dt_ > t ? Step::rejected : Step::failed;
   }
   void restart(const State&, double) {}
@@ -106,10 +118,15 @@ class EmbeddedSteps {
  private:
   using Fehlberg = boost::numeric::odeint::runge_kutta_fehlberg78<State>;
   static constexpr int kStages = 13;
-  typename System::Series series_;
+  Rate<System> rate_;
   typename boost::numeric::odeint::result_of::make_controlled<Fehlberg>::type stepper_;
   double dt_, shortest_;
 };
+
+template <class System>
+using CornerSteps = EmbeddedSteps<System, RecordedRate>;
+template <class System>
+using PlainSteps = EmbeddedSteps<System, PlainRate>;
 
 /// Steps of a Taylor series.
 template <class System>
@@ -120,16 +137,16 @@ class SeriesSteps {
       : looks_(system.has_friction() ? 8 : 4), series_(system.series()), stepper_(tolerance, scales_) {
     restart(x, 0);
   }
-  /// Shows some states of the last step, which may be long.
+  /// Shows some states of the last step, which may be long, and at two of them the growth.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
     const double step = stepper_.current_time_step();
     State between;
     for (int i = 1; i < looks_; ++i) {
       stepper_.state_after(step * i / looks_, between);
-      look(t - step * (looks_ - i) / looks_, between);
+      look(t - step * (looks_ - i) / looks_, between, 2 * i == looks_);
     }
-    look(t, x);
+    look(t, x, true);
   }
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
     stepper_.limit_step(std::min(end / kFewestGrowthSteps, end - t));
@@ -275,10 +292,11 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     ++counters.accepted;
     system.restrict(x);
     double log_growth = 0;
-    steps.look(x, t, [&](double at, const auto& state) {
+    steps.look(x, t, [&](double at, const auto& state, bool shows_growth) {
       const Motion<double> motion = system.motion(state);
       critical_spin.include(at, motion);
       if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
+      if (!shows_growth) return;
       log_growth = follower.log_growth(state);
       const double log_regular = real::log(1 + rate * at);
       late.include(at, at - before, log_growth - log_regular);
@@ -319,10 +337,11 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                                 const Watch& watch) {
   const MotionProblem<double> one = alone(problem, kind);
-  if (!has_smooth_series(problem, duration_s)) return follow<AnyBodyMotion, EmbeddedSteps>(one, duration_s, tolerance, watch);
+  if (!has_smooth_series(problem, duration_s)) return follow<AnyBodyMotion, CornerSteps>(one, duration_s, tolerance, watch);
   if (is_compass(one.model)) return follow<WheelMotion, SeriesSteps>(one, duration_s, tolerance, watch);
-  return is_reducible_when_driven(one.model) ? follow<SpinlessMotion, SeriesSteps>(one, duration_s, tolerance, watch)
-                                             : follow<AnyBodyMotion, SeriesSteps>(one, duration_s, tolerance, watch);
+  if (is_reducible_when_driven(one.model)) return follow<SpinlessMotion, SeriesSteps>(one, duration_s, tolerance, watch);
+  return one.model.kind == SceneKind::plain ? follow<AnyBodyMotion, PlainSteps>(one, duration_s, tolerance, watch)
+                                            : follow<AnyBodyMotion, SeriesSteps>(one, duration_s, tolerance, watch);
 }
 
 }  // namespace earthtop
