@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disturbance that is put into a state is seen in it again, whatever the law of the motion; and the laws move alike.
+// A disturbance that is put into a state is seen in it again, whatever the law of the motion.
 #include "drift/derivatives/disturbed_motion.hpp"
 //
 #include <gtest/gtest.h>

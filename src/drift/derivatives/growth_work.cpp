@@ -28,6 +28,7 @@ bool has_smooth_series(const MotionProblem<double>& problem, double duration_s) 
 }
 
 Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance) {
+  // As disturbance_growth has it.
   const bool is_embedded = problem.model.kind == SceneKind::plain && !is_spinless(problem.model);
   if (is_embedded || !has_smooth_series(problem, duration_s))
     return variational_work(problem.pace, duration_s, relative_tolerance);
