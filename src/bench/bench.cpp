@@ -165,6 +165,8 @@ BenchEntry entry_of(const Contender& contender, TimedContender& racer, const std
 }  // namespace
 
 BenchReport bench(const Scene& scene, std::span<const Contender> contenders, const BenchOptions& options) {
+  if (const auto reason = precision_refusal(Precision::bits113))
+    throw ScenarioError("", "a bench compares with a reference in extended precision: " + *reason);
   scene.require_affordable();
   const Scenario& scenario = scene.scenario();
   Scenario as_asked = scenario;

@@ -130,7 +130,7 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   // The choice of the method depends on the number of rows.
   scenario.output_step_s = scenario.duration_s / static_cast<double>(std::max<std::size_t>(times_s.size() - 1, 1));
   const Scene scene(std::move(scenario));
-  if (const auto& reason = scene.method_refusal()) throw ScenarioError("/numerics/method", *reason);
+  scene.require_integrable();
   scene.require_affordable();
   DriftProblem<double> problem = scene.problem<double>();
   problem.times_s = times_s;

@@ -135,7 +135,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
     const Scene& scene = scenes[i];
     try {
       if (!scene.scenario().effects.automatic) {
-        if (const auto& reason = scene.method_refusal()) throw ScenarioError("/numerics/method", *reason);
+        scene.require_integrable();
         if (fits_lanes(scene)) {
           scene.require_affordable();
           LanePoint point = lane_point(i, scene);

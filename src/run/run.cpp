@@ -244,7 +244,7 @@ RunResult run(const Scene& scene, const RunOptions& options) {
     selection = select_effects(modelled, options.watch.part(0, share, "choice of effects"));
     after.watch = options.watch.part(share, 1);
   }
-  if (const auto& reason = modelled.method_refusal()) throw ScenarioError("/numerics/method", *reason);
+  modelled.require_integrable();
   RunResult result = run_to_accuracy(modelled, selection ? selection->left_out_drift_rad : 0, after);
   result.scene = scene;
   result.selection = std::move(selection);

@@ -77,6 +77,7 @@ void check_beside_contact(const Section& root, const Scene& scene) {
 }
 
 void check_method(const Section& numerics, const Scene& scene) {
+  if (const auto reason = precision_refusal(scene.scenario().precision)) numerics.refuse("precision", *reason);
   if (const auto& reason = scene.method_refusal()) numerics.refuse("method", *reason);
 }
 

@@ -152,6 +152,10 @@ ExactKind Scene::closed_form_kind() const {
 const std::optional<std::string>& Scene::method_refusal(Method method) const {
   return parts_->refusals[static_cast<std::size_t>(method)].get([&] { return refuse_method(method, *this); });
 }
+void Scene::require_integrable() const {
+  if (auto reason = precision_refusal(scenario().precision)) throw ScenarioError("/numerics/precision", *std::move(reason));
+  if (const auto& reason = method_refusal()) throw ScenarioError("/numerics/method", *reason);
+}
 const MethodChoice& Scene::choice() const {
   return parts_->choice.get([this] { return choose_method(*this); });
 }

@@ -100,7 +100,7 @@ function refusals(program, engine) {
     expect(theirs.length > 0 && JSON.stringify(theirs) === JSON.stringify(ours), `${what}: the program says ${JSON.stringify(theirs)}, the engine ${JSON.stringify(ours)}`);
   }
   const limits = {
-    "113 bits": [changed((s) => { s.numerics = { precision: "float128" }; }), "double precision"],
+    "113 bits": [changed((s) => { s.numerics = { precision: "float128" }; }), "double alone"],
     "a million rows": [changed((s) => { s.motion = { duration_s: 60, output_step_s: 6e-5 }; }), "rows"],
     "a year": [changed((s) => { s.motion = { duration_s: 3e7, output_step_s: 1e6 }; s.numerics = { method: "dopri5", relative_tolerance: 1e-12 }; }), "shorter duration"],
     "a NUL": ["{\"a\u0000\": 1}", "closing quote"], // ends the text for the engine

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "earthtop/integrate/method.hpp"
@@ -32,6 +33,9 @@ double least_tolerance(Precision precision);
 /// The relative tolerance where none is given: 1e-12 in double, 1e-16 in long double, 1e-28 in float128. It falls with the
 /// precision, as whoever asks for more bits wants the digits that they allow.
 double default_tolerance(Precision precision);
+
+/// Why this library integrates nothing in a precision, and what to do; empty where it does: it can be built for double alone.
+std::optional<std::string> precision_refusal(Precision precision);
 
 /// Whether steps of long_horizon average over the nutation: not, with kicks spread over 5 times, or over 17.
 enum class Averaging { none, coarse, fine };

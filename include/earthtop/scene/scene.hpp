@@ -142,6 +142,8 @@ class Scene {
   const std::optional<std::string>& method_refusal(Method method) const;
   /// Returns the same for the method that the scenario names.
   const std::optional<std::string>& method_refusal() const { return method_refusal(scenario().numerics.method); }
+  /// Checks that the method fits the scene and that its precision is built.   @throws ScenarioError
+  void require_integrable() const;
   /// Returns the method of the run. `auto` is resolved by body, effects, observer and precision to the method of least work
   /// at the requested error; any other method is kept.
   const MethodChoice& choice() const;

@@ -72,8 +72,6 @@ std::string columns_json(std::string_view csv) {
 
 /// Why the page does not run this scene; empty if it does.
 std::string refusal(const Scene& scene) {
-  const Scenario& scenario = scene.scenario();
-  if (scenario.precision != Precision::bits53) return std::string(kPrecision) + "; run it with the program, earthtop run";
   if (const double seconds = estimated_run_seconds(scene); seconds > kLongestRun_s)
     return fmt::format("this run would take {} even outside of a page; shorten it, or run it with the program, earthtop run",
                        about_seconds(seconds));

@@ -4,7 +4,6 @@
 
 namespace earthtop::play {
 
-inline constexpr const char* kPrecision = "this page computes in double precision only";
 inline constexpr const char* kDate = "this page has no places of the Sun and the Moon";
 
 }  // namespace earthtop::play

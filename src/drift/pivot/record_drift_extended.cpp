@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drift/pivot/record_drift.ipp"
+
+namespace earthtop {
+EARTHTOP_RECORD(long double)
+EARTHTOP_RECORD(float128)
+}  // namespace earthtop

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrate/taylor/record_motion.ipp"
+
+namespace earthtop {
+template taylor::Operations<long double> record_motion(const Model<long double>&, std::span<const long double>, long double);
+template taylor::Operations<float128> record_motion(const Model<float128>&, std::span<const float128>, float128);
+}  // namespace earthtop
