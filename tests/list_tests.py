@@ -52,7 +52,7 @@ def write_list(program, folder, output, sources):
         lines.append(f"add_test({quoted(shown)} {quoted(program)} {quoted('--gtest_filter=' + name)}"
                      " --gtest_also_run_disabled_tests)\n")
         lines.append(f"set_tests_properties({quoted(shown)} PROPERTIES WORKING_DIRECTORY {quoted(folder)}"
-                     f" SKIP_REGULAR_EXPRESSION {quoted(r'[[]  SKIPPED []]')} LABELS {quoted(labels[source])})\n")
+                     f" SKIP_REGULAR_EXPRESSION {quoted(r'[[]  SKIPPED []]')} LABELS {quoted(labels[source].replace(',', ';'))})\n")
     with open(output, "w", encoding="utf-8") as stream:
         stream.writelines(lines)
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Checks the formatting of every C++ file, the syntax of every script and Python file, and the licence line in all of them.
+# Checks the formatting of every C++ file, the syntax of every script and Python file, the licence line in all of them, and that the nightly
+# workflow has every job.
 #   tools/check-style.sh [--fix]     --fix: format the files instead of checking their format
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -23,5 +24,11 @@ unlicensed=$(find CMakeLists.txt .ci include src tests tools -type f \( -name '*
   xargs -0 grep -L 'SPDX-License-Identifier: GPL-3.0-or-later' || true)
 if [[ -n $unlicensed ]]; then
   printf 'no licence, SPDX-License-Identifier: GPL-3.0-or-later, in its first lines:\n%s\n' "$unlicensed" >&2
+  exit 1
+fi
+
+jobs=$(sed -n 's/^ *job: \[\(.*\)\]$/\1/p' .github/workflows/nightly.yml)
+if [[ $jobs != "$(.ci/run --list | paste -sd, | sed 's/,/, /g')" ]]; then
+  printf 'the jobs in .github/workflows/nightly.yml are not those of .ci/run --list\n' >&2
   exit 1
 fi

@@ -22,7 +22,7 @@ namespace earthtop {
 namespace {
 
 using namespace testing;  // of earthtop: results_copy.hpp
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Calls `visit` with the path and the value of every number, word, flag and null of a summary, elements of lists by their
 /// names as a comparison calls them.
@@ -46,9 +46,9 @@ bool is_compared(const SummaryMember& member) {
 }
 
 void expect_table_covers(const RunResult& result) {
-  Json summary = parse_ordered_json(summary_json(result));
+  OrderedJson summary = parse_ordered_json(summary_json(result));
   int leaves = 0;
-  for_each_leaf(summary, "", [&](const std::string& path, const Json& value) {
+  for_each_leaf(summary, "", [&](const std::string& path, const OrderedJson& value) {
     ++leaves;
     const SummaryMember* member = find_member(path);
     ASSERT_TRUE(member) << path << " is in the summary, but not in the table of figures";
@@ -98,8 +98,8 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   RunResult partly = full;
   partly.sensitivities->inputs[2].unavailable = "a reason";
   for (const RunResult& result : {full, other, braked, partly, contact}) {
-    Json summary = parse_ordered_json(summary_json(result));
-    for_each_leaf(summary, "", [&](const std::string& path, const Json&) { written.insert(find_member(path)); });
+    OrderedJson summary = parse_ordered_json(summary_json(result));
+    for_each_leaf(summary, "", [&](const std::string& path, const OrderedJson&) { written.insert(find_member(path)); });
   }
   for (const SummaryMember& member : summary_members())
     EXPECT_TRUE(written.contains(&member) || member.form == MemberForm::object || member.form == MemberForm::list)
@@ -182,7 +182,7 @@ TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
 // A study takes a part of the summary, which is what stands there in the whole.
 TEST(SummaryTable, APartIsThatOfTheWhole) {
   const RunResult result = test::made_up_full_run();
-  Json summary = parse_ordered_json(summary_json(result));
+  OrderedJson summary = parse_ordered_json(summary_json(result));
   for (const std::string path : {"name",
                                  "drift",
                                  "drift.axis_max_rad",
@@ -203,7 +203,7 @@ TEST(SummaryTable, APartIsThatOfTheWhole) {
                                  "drift.nothing",
                                  "drift.axis_max_rad.below",
                                  "accuracy.reached"}) {
-    const Json* at = &summary;
+    const OrderedJson* at = &summary;
     for (std::string rest = path; at && !rest.empty();) {
       const std::string step = rest.substr(0, rest.find('.'));
       rest.erase(0, step.size() + 1);
@@ -212,17 +212,17 @@ TEST(SummaryTable, APartIsThatOfTheWhole) {
       else
         at = at->contains(step) ? &(*at)[step] : nullptr;
     }
-    EXPECT_EQ(summary_part(result, path), at ? *at : Json()) << path;
+    EXPECT_EQ(summary_part(result, path), at ? *at : OrderedJson()) << path;
   }
 }
 
 TEST(SummaryTable, WithoutARowBeyondTheReleaseItHasNoNumbersOfRows) {
   RunResult result = test::made_up_full_run();
   result.rows.resize(1);
-  Json summary = parse_ordered_json(summary_json(result));
+  OrderedJson summary = parse_ordered_json(summary_json(result));
   for (const char* section : {"drift", "motion", "growth_of_disturbances", "attitude_bound_rad"})
     for_each_leaf(summary[section], section,
-                  [](const std::string& path, const Json& value) { EXPECT_FALSE(value.is_number()) << path; });
+                  [](const std::string& path, const OrderedJson& value) { EXPECT_FALSE(value.is_number()) << path; });
   EXPECT_TRUE(summary["accuracy"]["asked_rad"].is_number());
   EXPECT_TRUE(summary_part(result, "drift.axis_final_rad").is_null());
 }
@@ -240,8 +240,8 @@ TEST(SummaryTable, KnowsThePathsOfAContact) {
   EXPECT_FALSE(is_known_at_the_end("drift.tip_max_m"));
   EXPECT_TRUE(is_known_at_the_end("contact.events.0.time_difference_s"));
   const RunResult result = test::made_up_contact_run(11);
-  EXPECT_EQ(summary_part(result, "drift.tip_final_m"), Json(*result.drift.tip_final_m));
-  EXPECT_EQ(summary_part(result, "contact.events.1.time_difference_s"), Json(3e-6));
+  EXPECT_EQ(summary_part(result, "drift.tip_final_m"), OrderedJson(*result.drift.tip_final_m));
+  EXPECT_EQ(summary_part(result, "contact.events.1.time_difference_s"), OrderedJson(3e-6));
   EXPECT_TRUE(summary_part(result, "contact.events.2.t_s").is_null());
   EXPECT_TRUE(summary_part(test::made_up_run(), "drift.tip_final_m").is_null());
 }
@@ -259,9 +259,9 @@ void expect_every_change_is_found(const RunResult& result, std::size_t at_least)
   testing::write_results_to_be_changed(result, before);
   testing::write_results_to_be_changed(result, now);
   ASSERT_TRUE(compared_bitwise(before, now).passed());
-  Json summary = parse_ordered_json(read_text(now / "summary.json"));
+  OrderedJson summary = parse_ordered_json(read_text(now / "summary.json"));
   std::set<std::string> changed, in_words;
-  for_each_leaf(summary, "", [&](const std::string& path, Json& value) {
+  for_each_leaf(summary, "", [&](const std::string& path, OrderedJson& value) {
     const SummaryMember& member = *find_member(path);
     if (!is_compared(member) || path.ends_with(".name")) return;  // a name is part of the paths beside it
     if (value.is_number()) {
@@ -282,8 +282,8 @@ void expect_every_change_is_found(const RunResult& result, std::size_t at_least)
     if (!verdict.passed) found.insert(verdict.name);
   EXPECT_EQ(found, changed);
   for (const std::string& path : in_words) {
-    Json one = parse_ordered_json(read_text(before / "summary.json"));
-    one[Json::json_pointer("/" + path.substr(0, path.find('.')))][path.substr(path.find('.') + 1)] = "another";
+    OrderedJson one = parse_ordered_json(read_text(before / "summary.json"));
+    one[OrderedJson::json_pointer("/" + path.substr(0, path.find('.')))][path.substr(path.find('.') + 1)] = "another";
     write_text(now / "summary.json", text_of(one));
     EXPECT_FALSE(compared_bitwise(before, now).passed()) << path;
   }
@@ -393,7 +393,7 @@ TEST(Columns, ACompactReferenceKeepsTheContact) {
   const TemporaryDirectory directory;
   const fs::path results = directory.path() / "results", reference = directory.path() / "reference.json";
   testing::write_results_to_be_changed(test::made_up_contact_run(11), results);
-  write_text(reference, compare::compact_reference(compare::open_comparand(results, nullptr), Json::array(), "made up"));
+  write_text(reference, compare::compact_reference(compare::open_comparand(results, nullptr), OrderedJson::array(), "made up"));
   EXPECT_TRUE(compared_bitwise(reference, results).passed());
   Csv csv(results / "trajectory.csv");
   csv.rows[10][csv.column("contact_state")] = "mixed";

@@ -17,7 +17,7 @@ using test::Random;
 using test::round_off;
 using Q = float128;
 
-constexpr int kCases = 20;
+constexpr int kObserverCases = 20;
 
 /// Particles in mirrored octets: the coordinate planes are symmetry planes, and products of inertia cancel exactly.
 template <class T>
@@ -47,7 +47,7 @@ TEST(PaperTorques, EulerEquationComponentByComponent) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(201);
-    for (int k = 0; k < kCases; ++k) {
+    for (int k = 0; k < kObserverCases; ++k) {
       const Particles<T> particles = principal_particles<T>(random);
       const Mat3<T> S = test::second_moment(particles), theta = test::inertia(particles);
       const Vec3<T> I = theta.diagonal(), w = random.vector<T>(2), wdot = random.vector<T>(2);
@@ -67,7 +67,7 @@ TEST(PaperTorques, EulerEquationComponentByComponent) {
                                    I[2] * wdot[2] + w[0] * w[1] * (I[1] - I[0])),
                            bound));
     }
-    for (int k = 0; k < kCases; ++k) {  // any axes
+    for (int k = 0; k < kObserverCases; ++k) {  // any axes
       const Particles<T> particles = test::random_particles<T>(random);
       const Mat3<T> S = test::second_moment(particles), theta = test::inertia(particles);
       const Vec3<T> w = random.vector<T>(2), wdot = random.vector<T>(2);
@@ -80,12 +80,13 @@ TEST(PaperTorques, EulerEquationComponentByComponent) {
   });
 }
 
-constexpr Q kStep = Q(1e-5);
-/// The error of second differences with step kStep of a position of size `reach` that is carried by `layers` turns, whose
+constexpr Q kObserverStep = Q(1e-5);
+/// The error of second differences with step kObserverStep of a position of size `reach` that is carried by `layers` turns, whose
 /// derivatives W bounds: W^2 (W h)^6, and 32 eps per turn amplified by 64 / h^2 (second differences, extrapolated twice).
 Q difference_bound(Q W, int layers, Q reach) {
-  const Q Wh = W * kStep;
-  return reach * (W * W * Wh * Wh * Wh * Wh * Wh * Wh + Q(32 * 64 * layers) * real::epsilon<Q>() / (kStep * kStep));
+  const Q Wh = W * kObserverStep;
+  return reach *
+         (W * W * Wh * Wh * Wh * Wh * Wh * Wh + Q(32 * 64 * layers) * real::epsilon<Q>() / (kObserverStep * kObserverStep));
 }
 /// Sum of m |r|^2 and m |r|, by which the acceleration's error is multiplied.
 Q lever(const Particles<Q>& particles, Q reach) {
@@ -113,7 +114,7 @@ TEST(PaperTorques, TotalNonInertialTorqueIsMinusTheInertialRate) {
       const auto position_I = [&](Q at) {
         return Vec3<Q>(attitude(at) * (p.r + (at - t) * p.rdot + (at - t) * (at - t) / 2 * a));
       };
-      dL_inertial_I += p.m * Vec3<Q>(R_IA * p.r).cross(test::second_derivative(position_I, t, kStep));
+      dL_inertial_I += p.m * Vec3<Q>(R_IA * p.r).cross(test::second_derivative(position_I, t, kObserverStep));
       dL_A += p.m * p.r.cross(a);
     }
     const FrameKinematics<Q> seen = stack.kinematics('I', 'A', t);
@@ -156,8 +157,8 @@ TEST(PaperTorques, AnyObservingFrame) {
       const auto position_I = [&](Q at) { return Vec3<Q>(R_IP(at) * (platform.pivot_offset_P + R_PB(at) * r_B)); };
       const auto position_P = [&](Q at) { return Vec3<Q>(R_PB(at) * r_B); };
       p.r = R_PB_t * r_B;
-      torque_P += p.m * p.r.cross(R_IP_t.transpose() * test::second_derivative(position_I, t, kStep));
-      dL_P += p.m * p.r.cross(test::second_derivative(position_P, t, kStep));
+      torque_P += p.m * p.r.cross(R_IP_t.transpose() * test::second_derivative(position_I, t, kObserverStep));
+      dL_P += p.m * p.r.cross(test::second_derivative(position_P, t, kObserverStep));
     }
 
     const FrameKinematics<Q> IP = stack.kinematics('I', 'P', t);
@@ -217,12 +218,12 @@ TEST(PaperTorques, PivotAccelerationAgainstDifferentiation) {
       // Inertial axes that agree with the laboratory's at t.
       const auto position_I = [&](Q at) { return Vec3<Q>(test::rodrigues<Q>(W_L / rate, rate * (at - t)) * position_L(at)); };
       const PivotAcceleration<Q> a = pivot_acceleration(platform, W_L, W_L, t);
-      const Vec3<Q> of_platform_L = test::second_derivative(position_L, t, kStep);
+      const Vec3<Q> of_platform_L = test::second_derivative(position_L, t, kObserverStep);
       const Q bound = difference_bound(rate + Q(8), 2, Q(2));
       ASSERT_LT(static_cast<double>(bound), 1e-13);
       EXPECT_TRUE(close<Q>(a.of_platform_L, of_platform_L, bound));
-      EXPECT_TRUE(
-          close<Q>(a.of_earth_rate_L, Vec3<Q>(test::second_derivative(position_I, t, kStep) - of_platform_L), Q(2) * bound));
+      EXPECT_TRUE(close<Q>(a.of_earth_rate_L, Vec3<Q>(test::second_derivative(position_I, t, kObserverStep) - of_platform_L),
+                           Q(2) * bound));
       // Linear in the scaled rate: 2^-300 of it keeps every digit.
       const Vec3<Q> scaled = pivot_acceleration<Q>(platform, W_L, Q(0x1p-300) * W_L, t).of_earth_rate_L;
       EXPECT_TRUE(identical(scaled, Q(0x1p-300) * a.of_earth_rate_L));
@@ -289,7 +290,7 @@ TEST(PaperTorques, BothRightHandSidesAgree) {
   for_each_scalar([](auto scalar) {
     using T = decltype(scalar);
     Random random(205);
-    for (int k = 0; k < 2 * kCases; ++k) {
+    for (int k = 0; k < 2 * kObserverCases; ++k) {
       State<T> s(random);
       const Model<T> model = model_of(s, random, k % 4 == 0 ? -0.25 : k % 4 == 1 ? 3.0 : 1.0);
       s.measure(model);

@@ -35,7 +35,7 @@ def test_some_docstrings_have_examples():
     assert sum(len(test.examples) for module in modules for test in finder.find(module)) >= 5
 
 
-@pytest.mark.extra
+@pytest.mark.long
 def test_manual():
     failed, number = doctest.testfile(str(MANUAL), module_relative=False, encoding="utf-8")
     assert failed == 0 and number > 20

@@ -136,7 +136,7 @@ except MemoryError as error:
     assert said == "out of memory; ask for fewer rows, or end other programs\n"
 
 
-@pytest.mark.extra
+@pytest.mark.long
 @pytest.mark.skipif("asan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer keeps memory that was freed")
 def test_memory_is_steady():
     def resident():

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-pytestmark = pytest.mark.extra
+pytestmark = pytest.mark.long
 
 NOTEBOOKS = sorted((Path(__file__).resolve().parents[2] / "tools" / "python" / "examples").glob("*.ipynb"))
 

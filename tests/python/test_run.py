@@ -24,7 +24,7 @@ def files_of(directory):
     return {name: (directory / name).read_bytes() for name in FILES if (directory / name).exists()}
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[] if name in IN_SUITE else [pytest.mark.extra]) for name in et.examples()])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[] if name in IN_SUITE else [pytest.mark.long]) for name in et.examples()])
 def test_same_digits_as_the_program(name, program, scenarios, tmp_path):
     subprocess.run([program, "run", scenarios / f"{name}.json", "--out", tmp_path / "program", "--quiet"], check=True)
     r = et.run(et.load(scenarios / f"{name}.json"))

@@ -263,7 +263,7 @@ def test_a_damaged_store_is_refused_and_repaired(top, tmp_path):
     pandas.testing.assert_frame_equal(et.load_study(tmp_path), whole)
 
 
-@pytest.mark.extra
+@pytest.mark.long
 def test_a_study_costs_what_it_costs_the_program(program, scenarios, tmp_path):
     import resource
 
