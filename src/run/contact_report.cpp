@@ -14,23 +14,19 @@ namespace {
 constexpr double kCoefficientShare = 0.01;  // of a coefficient
 
 /// The coefficients that a contact uses. @returns name and change of each, for a change by its own size
-std::vector<std::pair<std::string_view, ContactChange<double>>> coefficient_changes(const Contact<double>& contact) {
-  std::vector<std::pair<std::string_view, ContactChange<double>>> made;
-  const auto add = [&](bool used, std::string_view name, double ContactChange<double>::*member, double value) {
-    if (!used) return;
-    ContactChange<double> change;
-    change.*member = value;
-    made.emplace_back(name, change);
+std::vector<std::pair<std::string_view, ProblemDerivative>> coefficient_changes(const Contact<double>& contact) {
+  using Coefficients = Contact<double>;
+  std::vector<std::pair<std::string_view, ProblemDerivative>> made;
+  const auto add = [&](bool used, std::string_view name, double Coefficients::*member) {
+    if (used) made.emplace_back(name, ProblemDerivative()).second.table.contact.*member = contact.*member;
   };
-  using Change = ContactChange<double>;
   const ContactLaw law = contact.law;
-  add(law == ContactLaw::coulomb || law == ContactLaw::contensou, "friction_coefficient", &Change::coefficient,
-      contact.coefficient);
-  add(law == ContactLaw::viscous, "sliding_viscosity_N_s_m", &Change::viscosity, contact.viscosity);
-  add(law == ContactLaw::viscous_load, "sliding_viscosity_s_m", &Change::viscosity, contact.viscosity);
-  add(law == ContactLaw::contensou, "patch_radius_m", &Change::patch_radius, contact.patch_radius);
-  add(contact.has_spinning_friction, "spinning_friction_m", &Change::spinning_length, contact.spinning_length);
-  add(contact.has_rolling_resistance, "rolling_resistance_m", &Change::rolling_length, contact.rolling_length);
+  add(law == ContactLaw::coulomb || law == ContactLaw::contensou, "friction_coefficient", &Coefficients::coefficient);
+  add(law == ContactLaw::viscous, "sliding_viscosity_N_s_m", &Coefficients::viscosity);
+  add(law == ContactLaw::viscous_load, "sliding_viscosity_s_m", &Coefficients::viscosity);
+  add(law == ContactLaw::contensou, "patch_radius_m", &Coefficients::patch_radius);
+  add(contact.has_spinning_friction, "spinning_friction_m", &Coefficients::spinning_length);
+  add(contact.has_rolling_resistance, "rolling_resistance_m", &Coefficients::rolling_length);
   return made;
 }
 
@@ -48,12 +44,11 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
   if (!(at_s > 0)) return {};
   const TableProblem<double>& table = *problem.table;
   const auto coefficients = coefficient_changes(table.contact);
-  std::vector<ContactChange<double>> changes;
+  std::vector<ProblemDerivative> changes;
   changes.reserve(coefficients.size() + 2);  // and the tilt about two axes
   for (const auto& [name, change] : coefficients) changes.push_back(change);
-  const Vec3<double> gravity_H = in_table_axes(problem.model, table.start.q_LH).apparent_gravity_L;
-  changes.push_back(table_tilt_change(gravity_H, SinCos<double>{0, 1}));
-  changes.push_back(table_tilt_change(gravity_H, SinCos<double>{1, 0}));
+  for (const auto& azimuth : {SinCos<double>{0, 1}, SinCos<double>{1, 0}})
+    changes.push_back(table_tilt_change(problem.model, table.start, azimuth));
 
   const ContactDerivatives found = contact_derivatives(problem, changes, at_s, kContactDerivativeTolerance, watch);
   if (!found.completed) return {};

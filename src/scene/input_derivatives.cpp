@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "drift/derivatives/problem_derivative.hpp"
 #include "scene/moved_input.hpp"
@@ -17,6 +18,7 @@ constexpr double kStep = 0x1p-20;  // step as a share of an input's scale: centr
 struct Numbers {
   Model<float128> model;
   Release<float128> release;
+  std::optional<TableProblem<float128>> table{};
   Mat3<double> gradient_L = Mat3<double>::Zero();
 };
 
@@ -26,14 +28,20 @@ Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128&
   if (kind == InputKind::inertia_ratio || kind == InputKind::center_of_mass) {
     Body<float128> body = scene.body<float128>();
     move_body(body, kind, change);
-    return {make_model<float128>(body, scene.site(), scene.rotation_rate_rad_s(), {}, nullptr, scene.units()),
-            make_release<float128>(scene.scenario().release, body, float128(scene.site().gravity_m_s2))};
+    const ReleaseSpec& release = scene.scenario().release;
+    const auto& contact = scene.scenario().contact;
+    Numbers numbers{make_model<float128>(body, scene.site(), scene.rotation_rate_rad_s(), {}, nullptr, scene.units()),
+                    contact ? make_release_on_table<float128>(release, *contact, body, scene.site())
+                            : make_release<float128>(release, body, float128(scene.site().gravity_m_s2))};
+    if (contact) numbers.table = table_of<float128>(scene, body, scene.units());
+    return numbers;
   }
   MovedScenario moved = with_moved_input(scene, input, step);
   change = float128(moved.change);
   moved.scenario.effects.tide.reset();  // its own dependence on the latitude is left out: 1e-7 of gravity's
   const Scene at = resolve(std::move(moved.scenario));
   Numbers numbers{model_of<float128>(at, scene.units()), at.release<float128>()};
+  if (at.scenario().contact) numbers.table = table_of<float128>(at, at.body<float128>(), scene.units());
   if (const auto& gradient = at.scenario().effects.applied.gravity_gradient)
     numbers.gradient_L = gradient_L(*gradient, at.site());
   return numbers;
@@ -85,6 +93,13 @@ ProblemDerivative difference(const Numbers& high, const Numbers& low, float128 s
   d.q_LB.w = quotient(high.release.q_LB.w, low.release.q_LB.w, step);
   d.q_LB.v = quotient(high.release.q_LB.v, low.release.q_LB.v, step);
   d.w_XB_B = units.rate_from_rad_s(quotient(high.release.w_XB_B, low.release.w_XB_B, step));
+  if (high.table) {
+    const auto divide_numbers = [step](double& derivative, float128 in_high, float128 in_low) {
+      derivative = quotient(in_high, in_low, step);
+    };
+    for_each_number(divide_numbers, d.table.contact, high.table->contact, low.table->contact);
+    for_each_number(divide_numbers, d.table.start, high.table->start, low.table->start);
+  }
   return d;
 }
 

@@ -26,20 +26,6 @@ TorqueWeights<T> weights_of(const EffectsSpec& effects) {
   return {T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
 }
 
-template <class T>
-TableProblem<T> table_of(const Scene& scene, const NaturalUnits& units) {
-  const ContactSpec& spec = *scene.scenario().contact;
-  const EffectsSpec& effects = scene.scenario().effects;
-  const auto& gradient = effects.applied.gravity_gradient;
-  TableProblem<T> table;
-  table.contact =
-      make_contact<T>(spec, scene.body<T>(), scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
-  table.start = make_contact_release<T>(spec, units);
-  if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
-  table.static_coefficient = spec.static_coefficient;
-  return table;
-}
-
 }  // namespace
 
 NaturalUnits units_of(const Scene& scene) {
@@ -82,6 +68,21 @@ template Model<long double> model_of(const Scene&, const NaturalUnits&);
 template Model<float128> model_of(const Scene&, const NaturalUnits&);
 
 template <class T>
+TableProblem<T> table_of(const Scene& scene, const Body<T>& body, const NaturalUnits& units) {
+  const ContactSpec& spec = *scene.scenario().contact;
+  const EffectsSpec& effects = scene.scenario().effects;
+  const auto& gradient = effects.applied.gravity_gradient;
+  TableProblem<T> table;
+  table.contact =
+      make_contact<T>(spec, body, scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
+  table.start = make_contact_release<T>(spec, units);
+  if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
+  table.static_coefficient = spec.static_coefficient;
+  return table;
+}
+template TableProblem<float128> table_of(const Scene&, const Body<float128>&, const NaturalUnits&);
+
+template <class T>
 DriftProblem<T> problem_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   DriftProblem<T> problem;
@@ -92,7 +93,7 @@ DriftProblem<T> problem_of(const Scene& scene) {
   if (scenario.numerics.stops_beyond_estimate) problem.pace = is_too_short_to_look(scene) ? scene.pace_by_rule() : scene.pace();
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;
-  if (scenario.contact) problem.table = table_of<T>(scene, problem.units);
+  if (scenario.contact) problem.table = table_of<T>(scene, scene.body<T>(), problem.units);
   return problem;
 }
 template DriftProblem<double> problem_of(const Scene&);

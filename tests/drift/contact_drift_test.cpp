@@ -212,16 +212,16 @@ TEST(ContactStart, SharesWhatItNames) {
 
 /// The derivatives of the non-rotating prediction with a coefficient and with the tilt of the table, against differences of two
 /// predictions; and their sizes for the toy top under the law of a contact patch, at 1 % and 1 arcsecond.
-TEST(ContactChange, GivesTheDerivativesOfThePrediction) {
+TEST(ContactDerivatives, GiveTheDerivativesOfThePrediction) {
   const ContactScene scene = testing::toy_on_table(
       {.tip_radius_m = 0.002, .law = ContactLaw::contensou, .friction_coefficient = 0.2, .patch_radius_m = 3e-5});
   const ContactProblem<double> problem(scene);
-  ContactChange<double> friction;
-  friction.coefficient = 1;
-  const auto down_to_the_east = table_tilt_change(problem.model.apparent_gravity_L, SinCos<double>{1, 0});
+  ProblemDerivative friction;
+  friction.table.contact.coefficient = 1;
+  const auto down_to_the_east = table_tilt_change(problem.model, problem.start, SinCos<double>{1, 0});
   constexpr double kArcsecond = 4.848136811095360e-6;
   const auto at = [&](double time_s) {
-    return contact_derivatives(testing::drift_problem(problem), std::array{friction, down_to_the_east}, time_s, 1e-12).each;
+    return contact_derivatives(testing::drift_problem(problem), {friction, down_to_the_east}, time_s, 1e-12).each;
   };
   const auto early = at(0.2), late = at(5);
   // The references have two digits, and one.

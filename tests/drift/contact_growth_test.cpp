@@ -32,22 +32,22 @@ ContactScene reference_scene(const std::string& name) {
 TEST(ContactDerivatives, AreThoseOfNeighbouringMotions) {
   struct Input {
     double ContactSpec::*given;
-    double ContactChange<double>::*change;
+    double Contact<double>::*coefficient;
   };
   for (const double I2 : {0.0, 2.9e-5}) {
     ContactScene scene = toy(ContactLaw::contensou);
     scene.contact.spinning_friction_m = 1e-4, scene.contact.rolling_resistance_m = 2e-4, scene.contact.regularisation_rad_s = 1;
     scene.I2_kg_m2 = I2;
     constexpr double kStep = 1e-3, kTime = 0.3;
-    for (const Input& input : {Input{&ContactSpec::friction_coefficient, &ContactChange<double>::coefficient},
-                               Input{&ContactSpec::patch_radius_m, &ContactChange<double>::patch_radius},
-                               Input{&ContactSpec::spinning_friction_m, &ContactChange<double>::spinning_length},
-                               Input{&ContactSpec::rolling_resistance_m, &ContactChange<double>::rolling_length}}) {
+    for (const Input& input : {Input{&ContactSpec::friction_coefficient, &Contact<double>::coefficient},
+                               Input{&ContactSpec::patch_radius_m, &Contact<double>::patch_radius},
+                               Input{&ContactSpec::spinning_friction_m, &Contact<double>::spinning_length},
+                               Input{&ContactSpec::rolling_resistance_m, &Contact<double>::rolling_length}}) {
       const double value = scene.contact.*(input.given);
-      ContactChange<double> change;
-      change.*(input.change) = value;
+      ProblemDerivative change;
+      change.table.contact.*(input.coefficient) = value;
       const ContactProblem<double> problem(scene);
-      const auto found = contact_derivatives(drift_problem(problem), std::array{change}, kTime, 1e-12);
+      const auto found = contact_derivatives(drift_problem(problem), {change}, kTime, 1e-12);
       ASSERT_TRUE(found.completed);
       Vec3<double> axis[2], tip[2];
       for (int side : {0, 1}) {
@@ -69,8 +69,8 @@ TEST(ContactDerivatives, AreThoseOfNeighbouringMotions) {
 TEST(ContactDerivatives, OfTheTiltAreThoseOfATiltedTable) {
   const ContactScene scene = toy(ContactLaw::rolling);
   const ContactProblem<double> level(scene);
-  const Vec3<double> gravity = level.model.apparent_gravity_L;
-  const auto found = contact_derivatives(drift_problem(level), std::array{table_tilt_change(gravity, SinCos<double>{1, 0})}, 1);
+  const auto tilt = table_tilt_change(level.model, level.start, SinCos<double>{1, 0});
+  const auto found = contact_derivatives(drift_problem(level), {tilt}, 1);
   constexpr double kTilt = 1e-4;  // rad, to the East
   ContactScene tilted = scene;
   tilted.contact.table_tilt_deg = kTilt * 180 / real::pi<double>(), tilted.contact.table_tilt_azimuth_deg = 90;

@@ -9,7 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/model/converted.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -20,8 +21,20 @@ struct PlatformDerivative {
   Vec3<double> pivot_offset_P = Vec3<double>::Zero();
 };
 
-/// The derivatives by one input of everything that the equations read: of the model and of the release, in the model's natural
-/// units. Where the input is a coefficient to which a torque is proportional, `applied` and `tide` hold that torque at
+/// The derivatives by one input of the numbers of a table and of the start on it; all of them 0 unless they are set. The weights of
+/// [F]'s torques are among them, as a contact has its own.
+struct TableDerivative {
+  Contact<double> contact;
+  ContactRelease<double> start;
+  EARTHTOP_MEMBERS(contact, start)
+
+  TableDerivative() {
+    for_each_number([](double& number) { number = 0; }, *this);
+  }
+};
+
+/// The derivatives by one input of everything that the equations read: of the model, of the release and of a table, in the model's
+/// natural units. Where the input is a coefficient to which a torque is proportional, `applied` and `tide` hold that torque at
 /// strength 1.
 struct ProblemDerivative {
   Mat3<double> I_BP_B = Mat3<double>::Zero(), I_BP_B_inverse = Mat3<double>::Zero(), S_BP_B = Mat3<double>::Zero();
@@ -34,6 +47,7 @@ struct ProblemDerivative {
   PlatformDerivative platform;
   AppliedTorques<double> applied;
   TideSeries<double> tide;
+  TableDerivative table;
 };
 
 /// A number and its derivatives by the inputs, in their order.
@@ -76,13 +90,19 @@ enum class SensitivitySought { nothing, responses };
 /// Integrates both motions' equations and their derivatives by the inputs, for any scene on a pivot whose friction has no corner.
 /// The error of a step is held to `relative_tolerance` of the size of each derivative, or of a thousandth (of a radian, or of the
 /// unit of rate) where that is smaller. Inputs are therefore best measured in units that give derivatives of order 1.
-/// @param inputs  any number of inputs of the problem's model and release; they are followed kInputsAtOnce at a time
+/// @param inputs  any number of inputs of the problem's model, release and table; they are followed kInputsAtOnce at a time
 /// @param time_s  the time after the release at which the derivatives are wanted (s)
 /// @param watch  may end the integration early, with RunStatus::interrupted
 /// @param on_step  sees the release and some times in every step; may be null
 /// @returns the derivatives; `responses` stay empty unless they are sought. RunStatus::step_underflow where the motion comes to a
 /// corner, as dry or quadratic friction has one at rest
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
+                                   double time_s, double relative_tolerance, const Watch& watch = {},
+                                   SensitivitySought sought = SensitivitySought::nothing,
+                                   const std::function<void(const FollowedStep&)>& on_step = nullptr);
+/// The same for a top on a table, or where the problem has none for one on its pivot. RunStatus::step_underflow also where dry friction
+/// without a regularisation lets the tip slip.
+DriftSensitivity drift_sensitivity(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const Watch& watch = {},
                                    SensitivitySought sought = SensitivitySought::nothing,
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);

@@ -4,6 +4,7 @@
 /// R_AB takes components in B to components in A:  v_A = R_AB v_B,  R_AC = R_AB R_BC.
 #pragma once
 
+#include "earthtop/members.hpp"
 #include "earthtop/vectors.hpp"
 
 namespace earthtop {
@@ -13,6 +14,7 @@ template <class T>
 struct Quaternion {
   T w = T(1);
   Vec3<T> v = Vec3<T>::Zero();
+  EARTHTOP_MEMBERS(w, v)
 
   Quaternion conjugate() const { return {w, -v}; }
   T squared_norm() const { return w * w + v.dot(v); }

@@ -17,6 +17,7 @@ struct ContactRelease {
   ContactStart start = ContactStart::tip_at_rest;
   Vec3<T> v_O = Vec3<T>::Zero();  ///< of ContactStart::tip_velocity
   Vec3<T> p_O = Vec3<T>::Zero();  ///< its part along the normal is the tip's radius
+  EARTHTOP_MEMBERS(q_LH, start, v_O, p_O)
 };
 
 template <class T>

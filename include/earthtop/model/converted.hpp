@@ -27,6 +27,21 @@ void convert(const From& from, Made& made, const To& to) {
   }
 }
 
+/// Calls take(x, y...) for each number of structs that list the same members, over the same scalar or over several. Flags and words
+/// are left out.
+template <class Take, class First, class... Others>
+void for_each_number(const Take& take, First& first, Others&... others) {
+  using Kind = std::remove_const_t<First>;
+  if constexpr (ListsMembers<Kind>) {
+    for_each_member([&](auto&... members) { for_each_number(take, members...); }, first, others...);
+  } else if constexpr (std::is_base_of_v<Eigen::MatrixBase<Kind>, Kind>) {
+    for (int i = 0; i < first.rows(); ++i)
+      for (int j = 0; j < first.cols(); ++j) take(first(i, j), others(i, j)...);
+  } else if constexpr (!std::is_integral_v<Kind> && !std::is_enum_v<Kind>) {
+    take(first, others...);
+  }
+}
+
 /// The same struct over the scalar S.   @param to  as above
 template <class S, template <class> class Struct, class T, class To>
 Struct<S> converted(const Struct<T>& from, const To& to) {

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "drift/derivatives/contact_derivatives.hpp"
-
+#include "drift/derivatives/contact_tangents.hpp"  // must come first: the formulas included below are compiled for jets
+//
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include "drift/derivatives/contact_tangents.hpp"
+#include "drift/derivatives/contact_derivatives.hpp"
+#include "drift/derivatives/tangent_steps.hpp"
 #include "drift/table/contact_stop_integration.hpp"
-#include "integrate/taylor/stabilised_taylor.hpp"
-#include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
 namespace {
 
-/// A step's tolerance where its last terms are weighted, as a share of what the last of all terms is held to otherwise.
-constexpr double kStabilisedShare = 1e-3;
-
-/// Whether slip relaxes so fast, compared with the motion, that steps would be kept short by it.
-bool is_stiff(const DriftProblem<double>& problem) {
+/// Whether slip relaxes so fast, compared with the motion, that steps of a low tolerance would be kept short by it.
+bool has_stiff_slip(const DriftProblem<double>& problem) {
   constexpr double kFast = 5;  // times the motion's fastest rate; plain steps of low order are stable up to as much
   const Contact<double>& c = problem.table->contact;
   double slow_slip = 0;  // below which friction is in proportion to slip
@@ -28,86 +23,69 @@ bool is_stiff(const DriftProblem<double>& problem) {
   return slow_slip > 0 && most > kFast * problem.fastest_rate * slow_slip;
 }
 
-/// Follows a motion with its derivatives to a time.   @param take  called with (x, t, longest): takes one step, and returns how long it is
-/// @returns whether it came there
-template <class State, class Scales, class TakeStep>
-bool follow(State& x, double end, Scales& scales, StepCounters& counters, const Watch& watch, const TakeStep& take) {
-  for (double t = 0; t < end; ++counters.accepted) {
-    if (watch.asks_to_stop() || counters.accepted >= kMostTangentSteps) return false;
-    if (counters.accepted % 64 == 0) watch.reach(t / end);
-    const double step = take(x, t, end - t);
-    if (!(t + step > t) || !all_finite(x)) return false;
-    t = step < end - t ? t + step : end;
-    scales.include(x);
+/// Integrates with one group of inputs, of which `count` are asked for, and appends their derivatives.
+template <class System>
+bool include_derivatives(const DriftProblem<double>& problem, const Inputs& inputs, std::size_t count, double at_s,
+                         double relative_tolerance, const Watch& watch, ContactDerivatives& found) {
+  using Motion = ContactTangents<System, OnTable::reference>;
+  using Tangents = JetTangents<Motion>;
+  using State = typename Tangents::State;
+  const Motion motion(problem, inputs, count);
+  State x = Tangents::packed(motion.initial_state());
+  TangentSteps<Tangents> steps(
+      typename Tangents::Series([&](const State& at, double t) { return motion.record(at, t); }), x, relative_tolerance,
+      has_stiff_slip(problem));
+  steps.include(Tangents::packed(motion.typical_state()));
+  const TangentLimits limits{.end = problem.units.time_from_s(at_s)};
+  if (follow_tangents(steps, x, limits, found.counters, watch, [](const State&, double) {}) != RunStatus::completed) return false;
+  const auto jets = Tangents::unpacked(x);
+  const Mat3<double> R_LH = rotation_matrix(problem.table->start.q_LH);
+  const Vec3<Jet> axis = reference_axis<System>(jets), tip(jets[System::Shape::kPosition], jets[System::Shape::kPosition + 1], 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto in_L = [&](const Vec3<Jet>& v) { return times(R_LH, Vec3<double>(v[0].d[k], v[1].d[k], v[2].d[k])); };
+    found.each.push_back({in_L(axis), in_L(tip)});
   }
   return true;
 }
 
-template <class Drift>
-ContactDerivatives derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes, double at_s,
-                               double relative_tolerance, const Watch& watch) {
-  const Model<double> model = without_earth_rate(problem.model);
-  if (changes.size() > kMostContactChanges) throw std::logic_error("too many changes of a motion on a table");
-  ContactChanges all{changes.size()};
-  std::ranges::copy(changes, all.of_inputs.begin());
-  using Tangents = ContactTangents<Drift>;
-  const Tangents motion(Drift(model, problem.table->contact, problem.table->start, problem.natural_release()), all);
+}  // namespace
 
-  typename Tangents::State x = motion.initial_state();
-  GroupScales<double, typename Tangents::Shape> scales;
-  scales.include(x), scales.include(motion.typical_state());
-  auto series = motion.series();
+bool has_tangents(const DriftProblem<double>& problem) {
+  return !has_exact_coulomb(with_law_of_tangents(problem).table->contact);
+}
+
+DriftProblem<double> with_law_of_tangents(const DriftProblem<double>& problem) {
+  DriftProblem<double> smooth = problem;
+  const TableProblem<double>& table = *problem.table;
+  if (has_exact_coulomb(table.contact) && !slips_at_release(ContactReducedDrift<double, Observer::laboratory>(
+                                              problem.model, table.contact, table.start, problem.natural_release())))
+    smooth.table->contact.law = ContactLaw::rolling;
+  return smooth;
+}
+
+ContactDerivatives contact_derivatives(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
+                                       double at_s, double relative_tolerance, const Watch& watch) {
+  const DriftProblem<double> smooth = with_law_of_tangents(problem);
+  const auto follow = is_symmetric(problem.table->contact) ? include_derivatives<ContactReducedJets>
+                                                           : include_derivatives<ContactGeneralJets>;
   ContactDerivatives found;
-  const double end = problem.units.time_from_s(at_s);
-  if (is_stiff(problem)) {
-    taylor::StabilisedTaylor<Tangents> stepper(relative_tolerance * kStabilisedShare, scales);
-    const auto take = [&](auto& state, double t, double longest) {
-      found.counters.evaluations += taylor::kStabilisedDegree;
-      return stepper.step(series, state, t, longest);
-    };
-    found.completed = follow(x, end, scales, found.counters, watch, take);
-  } else {
-    taylor::TaylorStepper<double, Tangents> stepper(relative_tolerance, scales);
-    stepper.initialize(x, 0);
-    const auto take = [&](auto& state, double, double longest) {
-      stepper.limit_step(longest);
-      stepper.do_step(series);
-      found.counters.evaluations += stepper.evaluations();
-      state = stepper.current_state();
-      return stepper.current_time_step();
-    };
-    found.completed = follow(x, end, scales, found.counters, watch, take);
+  for (std::size_t first = 0; first < inputs.size(); first += kInputsAtOnce) {
+    const std::size_t count = std::min(kInputsAtOnce, inputs.size() - first);
+    Inputs group;
+    std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
+    const auto share = [&](std::size_t done) { return double(done) / double(inputs.size()); };
+    if (!follow(smooth, group, count, at_s, relative_tolerance, watch.part(share(first), share(first + count)), found)) return found;
   }
-  if (!found.completed) return found;
-  for (std::size_t c = 0; c < changes.size(); ++c) {
-    const ContactDriftState<double> state = motion.contact_state(x, c, end);
-    const auto change = [](const Vec3<Paired<double>>& v) { return Vec3<double>(v[0].diff, v[1].diff, v[2].diff); };
-    found.each.push_back({change(state.axis_L), change(state.tip_L)});
-  }
+  found.completed = true;
   return found;
 }
 
-/// Whether the top rolls from its release on, as under exact dry friction without a slip.
-bool rolls_from_release(const DriftProblem<double>& problem) {
-  const TableProblem<double>& table = *problem.table;
-  return has_exact_coulomb(table.contact) && !slips_at_release(ContactReducedDrift<double, Observer::laboratory>(
-                                                 problem.model, table.contact, table.start, problem.natural_release()));
-}
-
-}  // namespace
-
-ContactDerivatives contact_derivatives(const DriftProblem<double>& problem, std::span<const ContactChange<double>> changes,
-                                       double at_s, double relative_tolerance, const Watch& watch) {
-  if (changes.empty()) return {true, {}, {}};
-  if (rolls_from_release(problem)) {
-    DriftProblem<double> rolling = problem;
-    rolling.table->contact.law = ContactLaw::rolling;
-    return contact_derivatives(rolling, changes, at_s, relative_tolerance, watch);
-  }
-  return is_symmetric(problem.table->contact)
-             ? derivatives<ContactReducedDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance, watch)
-             : derivatives<ContactGeneralDrift<double, Observer::laboratory>>(problem, changes, at_s, relative_tolerance,
-                                                                              watch);
+ProblemDerivative table_tilt_change(const Model<double>& model, const ContactRelease<double>& start,
+                                    const SinCos<double>& azimuth) {
+  const Vec3<double> gravity_H = in_table_axes(model, start.q_LH).apparent_gravity_L, axis(-azimuth.cos, azimuth.sin, 0);
+  ProblemDerivative change;
+  change.apparent_gravity_L = times(rotation_matrix(start.q_LH), Vec3<double>(gravity_H.cross(axis)));
+  return change;
 }
 
 }  // namespace earthtop

@@ -1,79 +1,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// One motion on a table and its derivatives along several changes at once: of its inputs (contact_change.hpp), or of its start.
+/// A top on a table whose numbers carry their derivatives by some inputs: both motions, or the non-rotating prediction alone, which is half
+/// of their state. To be included before any header of the model.
 #pragma once
 
-#include "drift/derivatives/contact_change.hpp"
+#include "drift/derivatives/record_tangents.hpp"
+//
+#include <algorithm>
+
+#include "drift/derivatives/jet_tangents.hpp"
 #include "drift/table/contact_general_drift.hpp"
 #include "drift/table/contact_reduced_drift.hpp"
-#include "integrate/taylor/tangent_shape.hpp"
 
 namespace earthtop {
 
-/// A motion is followed with its derivatives for at most this many steps.
-inline constexpr std::int64_t kMostTangentSteps = 20'000'000;
-inline constexpr std::size_t kMostContactChanges = 6;
-/// Changes of the inputs, or none where only the start changes.
-struct ContactChanges {
-  std::size_t count = 0;  ///< of derivatives that are followed
-  std::array<ContactChange<double>, kMostContactChanges> of_inputs = {};
-};
-
-/// The reference alone of equations of a pair in laboratory axes, with its derivatives.
-/// @param x  the motion and its derivatives at which they are recorded
-taylor::Operations<double> record_contact_tangents(const ContactReducedEquations<double, Observer::laboratory>& equations,
-                                                   const ContactChanges& changes, std::span<const double> x, double t);
-taylor::Operations<double> record_contact_tangents(const ContactGeneralEquations<double, Observer::laboratory>& equations,
-                                                   const ContactChanges& changes, std::span<const double> x, double t);
-
-/// The system of a motion with its derivatives, for steps of a Taylor series.
-/// @tparam Drift  ContactReducedDrift or ContactGeneralDrift of double, in laboratory axes
-template <class Drift>
+/// @tparam Made  ContactReducedDrift or ContactGeneralDrift of jets, in laboratory axes
+template <class Made, OnTable kMotions>
 class ContactTangents {
  public:
-  using Equations = typename Drift::Equations;
-  using PairState = typename Equations::State;
-  using Half = typename Equations::Half;
-  static constexpr std::size_t kEach = Equations::kHalf;
+  using System = Made;
+  using Shape = typename System::Shape;
+  static constexpr std::size_t kValues = kMotions == OnTable::both_motions ? System::kSize : Shape::kHalf;
+  using Values = std::array<Jet, kValues>;
+  using Tangents = JetTangents<ContactTangents>;
   /// Slip and position are lengths, whose changes are often small.
   static constexpr double least_scale(double of_motion) { return of_motion < 1e-3 ? 1e-9 : 1e-5; }
-  using Shape = taylor::TangentShape<typename Equations::Shape, kEach, kMostContactChanges, least_scale>;
-  static constexpr std::size_t kSize = Shape::kSize;
-  using State = std::array<double, kSize>;
-  using Series = RecordedSeries<double, kSize>;
 
-  /// @param drift  a pair whose model has epsilon = 0 (without_earth_rate)
-  ContactTangents(Drift drift, const ContactChanges& changes) : drift_(std::move(drift)), changes_(changes) {}
+  ContactTangents(const DriftProblem<double>& problem, const Inputs& inputs, std::size_t count)
+      : inputs_(inputs),
+        model_(kMotions == OnTable::both_motions ? problem.model : without_earth_rate(problem.model)),
+        beside_{model_, inputs_, count},
+        system_(jets_of(model_, inputs),
+                jets_of(problem.table->contact, inputs, &TableDerivative::contact),
+                jets_of(problem.table->start, inputs, &TableDerivative::start),
+                jets_of(problem.natural_release(), inputs)) {}
+  ContactTangents(const ContactTangents&) = delete;
 
-  const Drift& drift() const { return drift_; }
-  State initial_state() const { return alone(drift_.initial_state()); }
-  State typical_state() const { return alone(drift_.typical_state()); }
-  /// The motion with one of its derivatives as the difference of a pair.
-  static PairState pair(const State& x, std::size_t c) { return Equations::pair(half(x, 0), half(x, 1 + c)); }
-  /// Sets a derivative.   @param both  the motion, with the derivative as the difference
-  static void put_change(const PairState& both, State& x, std::size_t c) {
-    std::ranges::copy(Equations::tangent(both), x.begin() + static_cast<std::ptrdiff_t>((1 + c) * kEach));
+  Values initial_state() const { return part(system_.initial_state()); }
+  /// Sizes that errors are measured against from the start.
+  Values typical_state() const {
+    Values sizes = part(system_.typical_state());
+    for (Jet& size : sizes) size = size.value;
+    return sizes;
   }
-  ContactDriftState<double> contact_state(const State& x, std::size_t c, double t) const {
-    return drift_.contact_state(pair(x, c), t);
+  const System& system() const { return system_; }
+  void follow(const Values& x, double t) {
+    if constexpr (!requires { system_.follow(x); }) system_.follow(x, Jet(t));
   }
-  Series series() const {
-    return Series([this](const State& x, double t) { return record_contact_tangents(drift_.equations(), changes_, x, t); });
+  taylor::Operations<double> record(std::span<const double> x, double t) const {
+    return record_tangents(system_.equations(), kMotions, beside_, x, t);
   }
 
  private:
-  static Half half(const State& x, std::size_t slot) {
-    Half taken;
-    std::copy_n(x.begin() + static_cast<std::ptrdiff_t>(slot * kEach), kEach, taken.begin());
+  static Values part(const typename System::State& x) {
+    Values taken;
+    std::copy_n(x.begin(), kValues, taken.begin());
     return taken;
   }
-  static State alone(const PairState& both) {
-    State x{};
-    std::copy_n(both.begin(), kEach, x.begin());
-    return x;
-  }
-
-  Drift drift_;
-  ContactChanges changes_;
+  Inputs inputs_;
+  Model<double> model_;
+  BesideJets beside_;
+  System system_;
 };
+
+using ContactReducedJets = ContactReducedDrift<Jet, Observer::laboratory>;
+using ContactGeneralJets = ContactGeneralDrift<Jet, Observer::laboratory>;
+
+/// Body axis 3 of the non-rotating prediction, in the table's axes.
+template <class System, std::size_t N>
+Vec3<Jet> reference_axis(const std::array<Jet, N>& x) {
+  if constexpr (std::is_same_v<System, ContactReducedJets>)
+    return load_vector(x, System::Shape::kN);
+  else
+    return rotation_matrix(load_quaternion(x, 0)).col(2);
+}
 
 }  // namespace earthtop

@@ -15,9 +15,9 @@
 
 #include "drift/derivatives/disturbed_motion.hpp"
 #include "drift/derivatives/growth_work.hpp"
+#include "drift/derivatives/tangent_steps.hpp"
 #include "drift/stability.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
 namespace {
@@ -134,41 +134,22 @@ class SeriesSteps {
  public:
   using State = typename System::State;
   SeriesSteps(const System& system, const State& x, double tolerance, double, double)
-      : looks_(system.has_friction() ? 8 : 4), series_(system.series()), stepper_(tolerance, scales_) {
-    restart(x, 0);
-  }
+      : looks_(system.has_friction() ? 8 : 4), steps_(system.series(), x, tolerance) {}
   /// Shows some states of the last step, which may be long, and at two of them the growth.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
-    const double step = stepper_.current_time_step();
-    State between;
-    for (int i = 1; i < looks_; ++i) {
-      stepper_.state_after(step * i / looks_, between);
-      look(t - step * (looks_ - i) / looks_, between, 2 * i == looks_);
-    }
+    for (int i = 1; i < looks_; ++i)
+      look(t - steps_.last_step() * (looks_ - i) / looks_, steps_.within(double(i) / looks_), 2 * i == looks_);
     look(t, x, true);
   }
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
-    stepper_.limit_step(std::min(end / kFewestGrowthSteps, end - t));
-    stepper_.do_step(series_);
-    evaluations += stepper_.evaluations();
-    const double step = stepper_.current_time_step();
-    if (!(step > 0) || !(t + step > t) || !all_finite(stepper_.current_state())) return Step::failed;
-    t = step < end - t ? stepper_.current_time() : end;
-    x = stepper_.current_state();
-    scales_.include(x);
-    return Step::taken;
+    return steps_.take(x, t, end, end / kFewestGrowthSteps, evaluations) ? Step::taken : Step::failed;
   }
-  void restart(const State& x, double t) {
-    scales_.include(x);
-    stepper_.initialize(x, t);
-  }
+  void restart(const State& x, double t) { steps_.restart(x, t); }
 
  private:
   int looks_;  ///< in a step; friction may bring a top to its critical spin between two of them
-  GroupScales<double, typename System::Shape> scales_;
-  typename System::Series series_;
-  taylor::TaylorStepper<double, System> stepper_;
+  TangentSteps<System> steps_;
 };
 
 /// The slope of a line fitted to values over the second half of the duration, each weighted by the length of its step.

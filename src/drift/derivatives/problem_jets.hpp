@@ -106,6 +106,15 @@ inline Model<Jet> jets_of(const Model<double>& model, const Inputs& inputs) {
   return jets;
 }
 
+/// Numbers of a table with their derivatives.
+template <template <class> class Struct>
+Struct<Jet> jets_of(const Struct<double>& values, const Inputs& inputs, Struct<double> TableDerivative::*derivative) {
+  auto jets = converted<Jet>(values, ToJet());
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    for_each_number([k](double d, Jet& jet) { jet.d[k] = d; }, inputs[k].table.*derivative, jets);
+  return jets;
+}
+
 inline NaturalRelease<Jet> jets_of(const NaturalRelease<double>& release, const Inputs& inputs) {
   NaturalRelease<Jet> jets;
   jets.q_LB.w = release.q_LB.w;

@@ -46,6 +46,31 @@ class ToParameter {
   const BesideJets& beside_;
 };
 
+/// The first components of a pair's state on a table, without the integrals of friction's work.
+template <class Pair>
+struct FollowedOnTable {
+  using Shape = typename Pair::Shape;
+  Pair pair;
+  template <std::size_t N>
+  void operator()(const std::array<R, N>& x, std::array<R, N>& dxdt, const R& t) const {
+    typename Pair::State both{}, rate;
+    std::ranges::copy(x, both.begin());
+    pair(both, rate, t);
+    dxdt = {};
+    for (std::size_t half = 0; half < N; half += Shape::kHalf) std::copy_n(&rate[half], Shape::kWork, &dxdt[half]);
+  }
+};
+ContactReducedEquations<R, Observer::laboratory> made_of(const ContactReducedEquations<Jet, Observer::laboratory>& equations,
+                                                         const Model<R>& model, const Contact<R>& contact,
+                                                         const Quaternion<R>& q_LH, const ToParameter& to) {
+  return {model, contact, q_LH, to(equations.w3())};
+}
+ContactGeneralEquations<R, Observer::laboratory> made_of(const ContactGeneralEquations<Jet, Observer::laboratory>&,
+                                                         const Model<R>& model, const Contact<R>& contact,
+                                                         const Quaternion<R>& q_LH, const ToParameter&) {
+  return {model, contact, q_LH};
+}
+
 /// Records a right-hand side of N numbers with their derivatives.   @param make  gives it, with coefficients by ToParameter
 template <std::size_t N, class Make>
 taylor::Operations<double> record(const Make& make, const BesideJets& beside, std::span<const double> x, double t) {
@@ -54,6 +79,20 @@ taylor::Operations<double> record(const Make& make, const BesideJets& beside, st
   const auto equations = make(ToParameter(recording, derivatives, beside));
   const auto plain = recorded_equations<double, N>(equations, recording, x.first(N), t);
   return taylor::with_tangents<double>(plain, beside.count, derivatives, x, t);
+}
+
+template <class Equations>
+taylor::Operations<double> record_on_table(const Equations& equations, OnTable motions, const BesideJets& beside,
+                                           std::span<const double> x, double t) {
+  const auto make = [&](const ToParameter& to) {
+    Model<R> model;
+    Contact<R> contact;
+    Quaternion<R> q_LH;
+    convert(equations.model(), model, to), convert(equations.contact(), contact, to), convert(equations.q_LH(), q_LH, to);
+    return FollowedOnTable<decltype(made_of(equations, model, contact, q_LH, to))>{made_of(equations, model, contact, q_LH, to)};
+  };
+  return motions == OnTable::both_motions ? record<Equations::kSize>(make, beside, x, t)
+                                          : record<Equations::kHalf>(make, beside, x, t);
 }
 
 }  // namespace
@@ -76,6 +115,15 @@ taylor::Operations<double> record_tangents(const DrivenReducedEquations<Jet, Obs
     return made;
   };
   return record<DrivenReducedShape::kSize>(make, beside, x, t);
+}
+
+taylor::Operations<double> record_tangents(const ContactReducedEquations<Jet, Observer::laboratory>& equations, OnTable motions,
+                                           const BesideJets& beside, std::span<const double> x, double t) {
+  return record_on_table(equations, motions, beside, x, t);
+}
+taylor::Operations<double> record_tangents(const ContactGeneralEquations<Jet, Observer::laboratory>& equations, OnTable motions,
+                                           const BesideJets& beside, std::span<const double> x, double t) {
+  return record_on_table(equations, motions, beside, x, t);
 }
 
 }  // namespace earthtop

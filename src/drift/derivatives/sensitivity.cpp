@@ -5,15 +5,14 @@
 #include <cmath>
 #include <vector>
 
+#include "drift/derivatives/contact_tangents.hpp"
+#include "drift/derivatives/contact_derivatives.hpp"
 #include "drift/derivatives/growth_work.hpp"
-#include "drift/derivatives/problem_jets.hpp"
-#include "drift/derivatives/record_tangents.hpp"
+#include "drift/derivatives/tangent_steps.hpp"
 #include "drift/measures.ipp"
 #include "drift/pivot/drift_system.hpp"
 #include "drift/pivot/driven_reduced_drift.hpp"
 #include "earthtop/drift/sensitivity.hpp"
-#include "integrate/taylor/tangent_shape.hpp"
-#include "integrate/taylor/taylor_stepper.hpp"
 #include "model/reduced_top.ipp"
 
 namespace earthtop {
@@ -21,13 +20,18 @@ namespace {
 
 constexpr std::size_t kInputs = kInputsAtOnce;
 
-/// The least size, in natural units, that a derivative's error is measured against.
-constexpr double least_scale(double) { return 1e-3; }
+/// A motion about a pivot.
+template <class Made>
+struct OnPivot {
+  using System = Made;
+  static constexpr std::size_t kValues = System::kSize;
+  /// The least size, in natural units, that a derivative's error is measured against.
+  static constexpr double least_scale(double) { return 1e-3; }
+};
 
 /// Any body in body axes.
-class AnyBody {
+class AnyBody : public OnPivot<DriftSystem<Jet, Observer::body, SceneKind::full, RotatingMotion::composed>> {
  public:
-  using System = DriftSystem<Jet, Observer::body, SceneKind::full, RotatingMotion::composed>;
 
   AnyBody(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
       : beside_{problem.model, inputs, count}, model_(jets_of(problem.model, inputs)), system_(model_) {
@@ -43,7 +47,7 @@ class AnyBody {
   }
   const System::State& initial_state() const { return initial_; }
   const System& system() const { return system_; }
-  void follow(const System::State&) {}
+  void follow(const System::State&, double) {}
   taylor::Operations<double> record(std::span<const double> x, double t) const {
     return record_tangents(model_, beside_, x, t);
   }
@@ -56,10 +60,8 @@ class AnyBody {
 };
 
 /// A symmetric top without its spin, where no input breaks the symmetry.
-class SymmetricTop {
+class SymmetricTop : public OnPivot<DrivenReducedDrift<Jet, Observer::laboratory>> {
  public:
-  using System = DrivenReducedDrift<Jet, Observer::laboratory>;
-
   SymmetricTop(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
       : beside_{problem.model, inputs, count},
         system_(jets_of(problem.model, inputs), jets_of(problem.natural_release(), inputs)) {}
@@ -69,7 +71,7 @@ class SymmetricTop {
   }
   System::State initial_state() const { return system_.initial_state(); }
   const System& system() const { return system_; }
-  void follow(const System::State& x) { system_.follow(x); }
+  void follow(const System::State& x, double) { system_.follow(x); }
   taylor::Operations<double> record(std::span<const double> x, double t) const {
     return record_tangents(system_.equations(), beside_, x, t);
   }
@@ -84,33 +86,6 @@ class SymmetricTop {
   }
   BesideJets beside_;
   System system_;
-};
-
-/// The Taylor series of a form's state with its derivatives, for the stepper.
-template <class Form>
-struct Followed {
-  static constexpr std::size_t kValues = Form::System::kSize;
-  using Shape = taylor::TangentShape<typename Form::System::Shape, kValues, kInputs, least_scale>;
-  static constexpr std::size_t kSize = Shape::kSize;
-  using State = std::array<double, kSize>;
-  using Series = RecordedSeries<double, kSize>;
-
-  static State packed(const std::array<Jet, kValues>& jets) {
-    State x;
-    for (std::size_t i = 0; i < kValues; ++i) {
-      x[i] = jets[i].value;
-      for (std::size_t k = 0; k < kInputs; ++k) x[(k + 1) * kValues + i] = jets[i].d[k];
-    }
-    return x;
-  }
-  static std::array<Jet, kValues> unpacked(const State& x) {
-    std::array<Jet, kValues> jets;
-    for (std::size_t i = 0; i < kValues; ++i) {
-      jets[i] = x[i];
-      for (std::size_t k = 0; k < kInputs; ++k) jets[i].d[k] = x[(k + 1) * kValues + i];
-    }
-    return jets;
-  }
 };
 
 /// Appends the derivatives by the first `count` inputs of a jet, and sets the value.
@@ -137,65 +112,46 @@ Quaternion<double> values_of(const Quaternion<Jet>& q) {
 }
 Vec3<double> values_of(const Vec3<Jet>& v) { return {v[0].value, v[1].value, v[2].value}; }
 
+/// What is asked of an integration.
+struct Asked {
+  double time_s, relative_tolerance;
+  Watch watch;
+  SensitivitySought sought;
+  const std::function<void(const FollowedStep&)>& on_step;
+};
+
 /// Integrates with one group of inputs, of which `count` are asked for, and appends their derivatives to the result.
 template <class Form>
-void follow(Form form, const MotionProblem<double>& problem, std::size_t count, double time_s, double relative_tolerance,
-            const Watch& watch, SensitivitySought sought, const std::function<void(const FollowedStep&)>& on_step,
-            DriftSensitivity& result) {
-  using Tangents = Followed<Form>;
+void follow(Form&& form, const MotionProblem<double>& problem, std::size_t count, const Asked& asked, DriftSensitivity& result) {
+  using Tangents = JetTangents<std::remove_reference_t<Form>>;
   using State = typename Tangents::State;
-  const int looks = sought == SensitivitySought::responses ? 8 : 1;  // a step
+  const bool responds = asked.sought == SensitivitySought::responses;
+  const int looks = responds ? 8 : 1;  // a step
   const auto& system = form.system();
   std::array<Responses, kInputs> responses;
   const auto look = [&](const State& x, double t) {
     const auto jets = Tangents::unpacked(x);
-    form.follow(jets);
-    if (sought == SensitivitySought::nothing) return;
+    form.follow(jets, t);
+    if (!responds) return;
     follow_responses(system.deviation_state(jets, Jet(t)), responses);
-    if (!on_step) return;
+    if (!asked.on_step) return;
     const DriftState<Jet> s = system.shared_state(jets, Jet(t));
-    on_step({t, values_of(s.ref_q_LB), values_of(s.ref_w_LB_B), values_of(s.q_LB), values_of(s.w_LB_B)});
+    asked.on_step({t, values_of(s.ref_q_LB), values_of(s.ref_w_LB_B), values_of(s.q_LB), values_of(s.w_LB_B)});
   };
   State x = Tangents::packed(form.initial_state());
-  GroupScales<double, typename Tangents::Shape> scales;
-  typename Tangents::Series series([&](const State& at, double t) { return form.record(at, t); });
-  taylor::TaylorStepper<double, Tangents> stepper(relative_tolerance, scales);
-  scales.include(x);
-  stepper.initialize(x, 0);
+  TangentSteps<Tangents> steps(
+      typename Tangents::Series([&](const State& at, double t) { return form.record(at, t); }), x, asked.relative_tolerance);
+  if constexpr (requires { form.typical_state(); }) steps.include(Tangents::packed(form.typical_state()));
   look(x, 0);
-  const double end = problem.units.time_from_s(time_s);
-  double t = 0;
-  const std::int64_t before = result.counters.accepted;
-  const std::int64_t most = variational_limit(problem, time_s, relative_tolerance).steps;
-  while (t < end) {
-    if (result.counters.accepted - before >= most) {
-      result.status = RunStatus::step_limit;
-      return;
-    }
-    watch.reach(t / end);
-    if (watch.asks_to_stop()) {
-      result.status = RunStatus::interrupted;
-      return;
-    }
-    stepper.limit_step(end - t);
-    stepper.do_step(series);
-    result.counters.evaluations += stepper.evaluations();
-    const double step = stepper.current_time_step();
-    if (!(step > 0) || !(t + step > t) || !all_finite(stepper.current_state())) {
-      result.status = RunStatus::step_underflow;
-      return;
-    }
-    ++result.counters.accepted;
-    for (int i = 1; i < looks; ++i) {
-      stepper.state_after(step * i / looks, x);
-      look(x, t + step * i / looks);
-    }
-    t = step < end - t ? stepper.current_time() : end;
-    x = stepper.current_state();
-    scales.include(x);
-    look(x, t);
-  }
-  const DriftMeasures<Jet> measures = measure_drift(system.deviation_state(Tangents::unpacked(x), Jet(t)));
+  const double end = problem.units.time_from_s(asked.time_s);
+  const TangentLimits limits{.end = end, .steps = variational_limit(problem, asked.time_s, asked.relative_tolerance).steps};
+  result.status = follow_tangents(steps, x, limits, result.counters, asked.watch, [&](const State& now, double t) {
+    for (int i = 1; i < looks; ++i)
+      look(steps.within(double(i) / looks), t - steps.last_step() * (looks - i) / looks);
+    look(now, t);
+  });
+  if (result.status != RunStatus::completed) return;
+  const DriftMeasures<Jet> measures = measure_drift(system.deviation_state(Tangents::unpacked(x), Jet(end)));
   include(result.axis, measures.axis, count);
   include(result.attitude, measures.attitude, count);
   include(result.tilt, measures.tilt, count);
@@ -203,8 +159,31 @@ void follow(Form form, const MotionProblem<double>& problem, std::size_t count, 
     if (!result.azimuth) result.azimuth.emplace();
     include(*result.azimuth, measures.azimuth, count);
   }
-  if (sought == SensitivitySought::responses)
+  if (responds)
     result.responses.insert(result.responses.end(), responses.begin(), responses.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+/// Follows the inputs in groups.   @param follow_group  called with (inputs, their number, what is asked, the result)
+template <class FollowGroup>
+DriftSensitivity in_groups(const std::vector<ProblemDerivative>& inputs, const Asked& asked, const FollowGroup& follow_group) {
+  DriftSensitivity result;
+  const std::size_t groups = (inputs.size() + kInputs - 1) / kInputs;
+  for (std::size_t g = 0; g < groups && result.status == RunStatus::completed; ++g) {
+    const std::size_t first = g * kInputs, count = std::min(kInputs, inputs.size() - first);
+    Inputs group;
+    std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
+    const Watch part = asked.watch.part(double(g) / double(groups), double(g + 1) / double(groups));
+    follow_group(group, count,
+                 Asked{asked.time_s, asked.relative_tolerance, part, asked.sought, g == 0 ? asked.on_step : nullptr}, result);
+  }
+  return result;
+}
+
+/// Whether a symmetric body stays so.
+bool keeps_symmetry(const TableDerivative& d) {
+  const Mat3<double>& I = d.contact.I_BC_B;
+  const Vec3<double>& center = d.contact.p_OC_B;
+  return I(0, 0) == I(1, 1) && I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0 && center[0] == 0 && center[1] == 0;
 }
 
 }  // namespace
@@ -212,20 +191,38 @@ void follow(Form form, const MotionProblem<double>& problem, std::size_t count, 
 DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const Watch& watch, SensitivitySought sought,
                                    const std::function<void(const FollowedStep&)>& on_step) {
-  DriftSensitivity result;
-  for (std::size_t first = 0; first < inputs.size() && result.status == RunStatus::completed; first += kInputs) {
-    const std::size_t count = std::min(kInputs, inputs.size() - first);
-    Inputs group;
-    std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
-    const std::size_t groups = (inputs.size() + kInputs - 1) / kInputs, before = first / kInputs;
-    const Watch part = watch.part(double(before) / double(groups), double(before + 1) / double(groups));
-    const auto& watched = first == 0 ? on_step : nullptr;
-    if (SymmetricTop::fits(problem, time_s, group))
-      follow(SymmetricTop(problem, group, count), problem, count, time_s, relative_tolerance, part, sought, watched, result);
-    else
-      follow(AnyBody(problem, group, count), problem, count, time_s, relative_tolerance, part, sought, watched, result);
+  return in_groups(inputs, {time_s, relative_tolerance, watch, sought, on_step},
+                   [&](const Inputs& group, std::size_t count, const Asked& asked, DriftSensitivity& result) {
+                     if (SymmetricTop::fits(problem, time_s, group))
+                       follow(SymmetricTop(problem, group, count), problem, count, asked, result);
+                     else
+                       follow(AnyBody(problem, group, count), problem, count, asked, result);
+                   });
+}
+
+DriftSensitivity drift_sensitivity(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
+                                   double time_s, double relative_tolerance, const Watch& watch, SensitivitySought sought,
+                                   const std::function<void(const FollowedStep&)>& on_step) {
+  if (!problem.table)
+    return drift_sensitivity(static_cast<const MotionProblem<double>&>(problem), inputs, time_s, relative_tolerance, watch, sought,
+                             on_step);
+  const DriftProblem<double> smooth = with_law_of_tangents(problem);
+  if (!has_tangents(problem)) {
+    DriftSensitivity none;
+    none.status = RunStatus::step_underflow;
+    return none;
   }
-  return result;
+  const bool symmetric = is_symmetric(smooth.table->contact) &&
+                         std::ranges::all_of(inputs, [](const ProblemDerivative& d) { return keeps_symmetry(d.table); });
+  return in_groups(inputs, {time_s, relative_tolerance, watch, sought, on_step},
+                   [&](const Inputs& group, std::size_t count, const Asked& asked, DriftSensitivity& result) {
+                     if (symmetric)
+                       follow(ContactTangents<ContactReducedJets, OnTable::both_motions>(smooth, group, count), smooth, count,
+                              asked, result);
+                     else
+                       follow(ContactTangents<ContactGeneralJets, OnTable::both_motions>(smooth, group, count), smooth, count,
+                              asked, result);
+                   });
 }
 
 }  // namespace earthtop

@@ -70,7 +70,6 @@ class ContactGeneralEquations {
   using Shape = ContactGeneralShape<O>;
   static constexpr std::size_t kSize = Shape::kSize, kHalf = Shape::kHalf;
   using State = std::array<T, kSize>;
-  using Half = std::array<T, kHalf>;
   using P = Paired<T>;
 
   /// @param model  in the table's axes
@@ -140,30 +139,6 @@ class ContactGeneralEquations {
   static Quaternion<T> reference_attitude(const State& x) { return load_quaternion(x, 0); }
   static Deviation<T> deviation(const State& x) {
     return {x[kHalf], load_vector(x, kHalf + 1), load_vector(x, kHalf + Shape::kMomentum)};
-  }
-
-  /// The pair of a motion and a small change of it, over epsilon; and that change. Of the pair y is half the turn, and P the change
-  /// of the momentum that turns along: q_rot = (1, epsilon y) q_ref, L_rot - L_ref = epsilon (P + 2 y x L).
-  static State pair(const Half& motion, const Half& change) {
-    State both;
-    std::ranges::copy(motion, both.begin());
-    std::ranges::copy(change, both.begin() + kHalf);
-    const Quaternion<T> turn = load_quaternion(change, 0) * load_quaternion(motion, 0).conjugate();
-    const Vec3<T> carried = T(2) * turn.v.cross(load_vector(motion, Shape::kMomentum));
-    both[kHalf] = T(1);
-    store_vector(turn.v, both, kHalf + 1);
-    store_vector(Vec3<T>(load_vector(change, Shape::kMomentum) - carried), both, kHalf + Shape::kMomentum);
-    return both;
-  }
-  static Half tangent(const State& both) {
-    Half change;
-    std::copy_n(both.begin() + kHalf, kHalf, change.begin());
-    const Vec3<T> y = load_vector(both, kHalf + 1), momentum = load_vector(both, Shape::kMomentum);
-    const Quaternion<T> turned = Quaternion<T>{T(0), y} * reference_attitude(both);
-    change[0] = turned.w;
-    store_vector(turned.v, change, 1);
-    store_vector(Vec3<T>(load_vector(both, kHalf + Shape::kMomentum) + T(2) * y.cross(momentum)), change, Shape::kMomentum);
-    return change;
   }
 
   const Model<T>& model() const { return model_; }

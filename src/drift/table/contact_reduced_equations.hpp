@@ -75,7 +75,6 @@ class ContactReducedEquations {
   using Shape = ContactReducedShape<O>;
   static constexpr std::size_t kSize = Shape::kSize, kHalf = Shape::kHalf;
   using State = std::array<T, kSize>;
-  using Half = std::array<T, kHalf>;
   using P = Paired<T>;
 
   /// @param model  in the table's axes   @param w3  inertial spin of the reference at release
@@ -178,19 +177,6 @@ class ContactReducedEquations {
       x[Shape::kPosition + i] = position[axis];
     }
     return x;
-  }
-
-  /// The pair of a motion and a small change of it, over epsilon; and that change.
-  static State pair(const Half& motion, const Half& change) {
-    State both;
-    std::ranges::copy(motion, both.begin());
-    std::ranges::copy(change, both.begin() + kHalf);
-    return both;
-  }
-  static Half tangent(const State& both) {
-    Half change;
-    std::copy_n(both.begin() + kHalf, kHalf, change.begin());
-    return change;
   }
 
   /// Goes on under another law, as when slip stops.
