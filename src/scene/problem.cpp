@@ -73,8 +73,7 @@ TableProblem<T> table_of(const Scene& scene, const Body<T>& body, const NaturalU
   const EffectsSpec& effects = scene.scenario().effects;
   const auto& gradient = effects.applied.gravity_gradient;
   TableProblem<T> table;
-  table.contact =
-      make_contact<T>(spec, body, scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
+  table.contact = make_contact<T>(spec, body, scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
   table.start = make_contact_release<T>(spec, units);
   if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
   table.static_coefficient = spec.static_coefficient;

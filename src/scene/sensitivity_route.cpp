@@ -26,7 +26,7 @@ double variations_seconds(const Scene& scene, double time_s, double relative_tol
     double recording, order;
   };
   constexpr Seconds kOnPivot = {5e-3, 2.2e-6}, kInGimbal = {5e-3, 5.5e-6};
-  // Measured on the shipped scenes and hard cases on a table, of every law: 1.7 to 4.5 microseconds an order, and of any body 7 to 12.
+  // Measured on shipped scenes and hard cases on a table, of every law: 1.7 to 4.5e-6 s an order, and 7 to 14e-6 s of any body.
   constexpr Seconds kOnTable = {3.3e-3, 2.9e-6}, kAnyOnTable = {1e-2, 9e-6};
   const bool on_table = scene.scenario().contact.has_value(), symmetric = scene.symmetry_axis() == 2;
   const bool in_gimbal = scene.scenario().effects.applied.gimbal.has_value();
@@ -80,8 +80,7 @@ SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
     plan.refusal = "no row of the drift is reliable";
   if (!plan.refusal.empty()) return plan;
   const std::size_t inputs = inputs_of(scenario).size();
-  const bool varied =
-      scenario.contact ? has_tangents(scene.problem<double>()) : scenario.effects.applied.coulomb_N_m == 0;
+  const bool varied = scenario.contact ? has_tangents(scene.problem<double>()) : scenario.effects.applied.coulomb_N_m == 0;
   if (varied)
     for (const double tolerance : {kSensitivityTolerance, kCoarseSensitivityTolerance})
       plan.seconds += variations_seconds(scene, time_s, tolerance, inputs);

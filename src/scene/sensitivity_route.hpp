@@ -22,8 +22,9 @@ struct SensitivityPlan {
   double seconds = 0;
   std::string refusal;
 };
-/// Chooses the route. Variations exist without dry friction, and on a table also with it where it is regularised or does not let the tip
-/// slip; they are taken where they last ten seconds at most, and otherwise the cheaper route is taken.   @param time_s  the time at which the derivatives are wanted (s)
+/// Chooses the route. Variations exist without dry friction, and on a table also with it where it is regularised or does not let
+/// the tip slip. They are taken where they last ten seconds at most; otherwise the cheaper route is taken.
+/// @param time_s  the time at which the derivatives are wanted (s)
 SensitivityPlan plan_sensitivities(const Scene& scene, double time_s);
 
 /// Estimates the time (s) to integrate the derivatives by this number of inputs, from the release to `time_s` (s).

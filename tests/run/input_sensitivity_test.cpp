@@ -123,7 +123,7 @@ TEST(InputSensitivity, OfATopOnATable) {
   ContactSpec& contact = s.contact.emplace();
   contact.tip_radius_m = 0.002, contact.law = ContactLaw::viscous, contact.sliding_viscosity_N_s_m = 0.05;
   s.duration_s = s.output_step_s = 0.1;
-  expect_exact(s, by_run(s), {"tip_radius_m", "sliding_viscosity_N_s_m"}, 1e-3);
+  expect_exact(s, by_run(s), {"tip_radius_m", "sliding_viscosity_N_s_m"}, 1e-9);
 }
 
 // Both routes exist for a toy top; its drift depends little on the fast nutation.

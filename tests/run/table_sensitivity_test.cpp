@@ -22,7 +22,7 @@ Scenario on_table(const ContactSpec& contact) {
   return s;
 }
 Scenario asymmetric(Scenario s) {
-  s.body.inertia_kg_m2[1][1] *= 1.1;
+  testing::set_principal(s.body, 1.2e-4, 1.19e-4, 4e-5);
   return s;
 }
 Scenario tilted(Scenario s) {
@@ -50,26 +50,29 @@ ContactSpec starting(ContactStart start, ContactSpec contact) {
 /// Wants all derivatives of a run to be by tangents, tightly bounded, and those of differences.
 void expect_those_of_differences(const Scenario& scenario, const char* name) {
   const RunResult result = run(scenario);
+  ASSERT_TRUE(result.sensitivities) << name;
   const SensitivityReport& report = *result.sensitivities;
   ASSERT_EQ(report.unavailable, "") << name;
   ASSERT_EQ(report.at_s, scenario.duration_s) << name;
   ASSERT_EQ(report.inputs.size(), inputs_of(scenario).size()) << name;
   EXPECT_EQ(plan_sensitivities(result.modelled, report.at_s).route, SensitivityRoute::variations) << name;
   const DriftRow& row = result.rows.back();
-  const auto differences = difference_sensitivities(result.modelled, report.at_s,
-                                                    {row.drift_axis_bound_rad, row.drift_attitude_bound_rad}, {});
+  const auto differences =
+      difference_sensitivities(result.modelled, report.at_s, {row.drift_axis_bound_rad, row.drift_attitude_bound_rad}, {});
   ASSERT_TRUE(differences) << name;
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const InputSensitivity &a = report.inputs[i], &b = (*differences)[i];
+    // Differences of a derivative that is nearly 0 are good to a share of the drift by the input's own size.
+    const double least = 1e-9 * row.drift_axis_rad / std::abs(a.value);
     const auto expect_near = [&](double tangent, double difference, const char* what) {
-      EXPECT_NEAR(tangent, difference, 1e-6 * std::abs(difference)) << name << ": " << what << " by " << a.name;
+      EXPECT_NEAR(tangent, difference, 1e-6 * std::abs(difference) + least) << name << ": " << what << " by " << a.name;
       EXPECT_NE(tangent, 0) << name << ": " << what << " by " << a.name;
     };
     ASSERT_EQ(b.unavailable, "") << name << ": " << b.name;
     expect_near(a.axis_rad, b.axis_rad, "axis"), expect_near(a.attitude_rad, b.attitude_rad, "attitude");
     expect_near(a.tilt_rad, b.tilt_rad, "tilt"), expect_near(*a.azimuth_rad, *b.azimuth_rad, "azimuth");
     EXPECT_LE(std::abs(a.axis_rad - b.axis_rad), a.axis_bound_rad + b.axis_bound_rad) << name << ": " << a.name;
-    EXPECT_LE(a.axis_bound_rad, 1e-9 * std::abs(a.axis_rad)) << name << ": " << a.name;
+    EXPECT_LE(a.axis_bound_rad, 1e-8 * std::abs(a.axis_rad)) << name << ": " << a.name;
   }
 }
 
@@ -95,12 +98,13 @@ TEST(TableSensitivity, OfAnAsymmetricTopIsThatOfDifferencesByEveryInput) {
   expect_those_of_differences(asymmetric(on_table(kRolling)), "rolling");
   expect_those_of_differences(asymmetric(tilted(on_table(kViscous))), "viscous, down a slope");
   expect_those_of_differences(asymmetric(on_table(with_moments(kPatch))), "patch with moments");
-  expect_those_of_differences(asymmetric(on_table(starting(ContactStart::center_of_mass_at_rest, kRegularised))), "regularised");
+  expect_those_of_differences(asymmetric(on_table(starting(ContactStart::center_of_mass_at_rest, kRegularised))),
+                              "regularised");
 }
 
 TEST(TableSensitivity, OfExactDryFrictionHasTangentsWhereTheTipDoesNotSlip) {
   ContactSpec dry = kRegularised;
-  dry.regularisation_m_s = 0;
+  dry.regularisation_m_s = 0, dry.friction_coefficient = 0.35;  // rolling needs 0.26
   const auto route = [](const Scenario& s) { return plan_sensitivities(Scene(s), s.duration_s).route; };
   EXPECT_EQ(route(on_table(dry)), SensitivityRoute::differences);
   const Scenario sticks = on_table(starting(ContactStart::rolling, dry));

@@ -2,7 +2,7 @@
 /// Finds the derivatives of the drift with respect to inputs, such as moments of inertia or rates at release. The equations of the
 /// reference motion and of the deviation are recorded and differentiated operation by operation (integrate/taylor/tangents.hpp),
 /// and the derivatives are integrated alongside the two by Taylor series: a symmetric top's without its spin where nothing breaks
-/// the symmetry, any other body's in body axes.
+/// the symmetry, any other body's in body axes, or on a table in laboratory axes.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ struct PlatformDerivative {
   Vec3<double> pivot_offset_P = Vec3<double>::Zero();
 };
 
-/// The derivatives by one input of the numbers of a table and of the start on it; all of them 0 unless they are set. The weights of
-/// [F]'s torques are among them, as a contact has its own.
+/// The derivatives by one input of the numbers of a table and of the start on it; all of them 0 unless they are set. The weights
+/// of [F]'s torques are among them, as a contact has its own.
 struct TableDerivative {
   Contact<double> contact;
   ContactRelease<double> start;
@@ -33,8 +33,8 @@ struct TableDerivative {
   }
 };
 
-/// The derivatives by one input of everything that the equations read: of the model, of the release and of a table, in the model's
-/// natural units. Where the input is a coefficient to which a torque is proportional, `applied` and `tide` hold that torque at
+/// The derivatives by one input of everything that the equations read: of the model, of the release and of a table, in the
+/// model's natural units. Where the input is a coefficient to which a torque is proportional, `applied` and `tide` hold that torque at
 /// strength 1.
 struct ProblemDerivative {
   Mat3<double> I_BP_B = Mat3<double>::Zero(), I_BP_B_inverse = Mat3<double>::Zero(), S_BP_B = Mat3<double>::Zero();
@@ -100,8 +100,8 @@ DriftSensitivity drift_sensitivity(const MotionProblem<double>& problem, const s
                                    double time_s, double relative_tolerance, const Watch& watch = {},
                                    SensitivitySought sought = SensitivitySought::nothing,
                                    const std::function<void(const FollowedStep&)>& on_step = nullptr);
-/// The same for a top on a table, or where the problem has none for one on its pivot. RunStatus::step_underflow also where dry friction
-/// without a regularisation lets the tip slip.
+/// The same for a top on a table; where the problem has no table, for one on its pivot. The status is RunStatus::step_underflow
+/// also where dry friction without a regularisation lets the tip slip.
 DriftSensitivity drift_sensitivity(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                    double time_s, double relative_tolerance, const Watch& watch = {},
                                    SensitivitySought sought = SensitivitySought::nothing,

@@ -27,8 +27,8 @@ void convert(const From& from, Made& made, const To& to) {
   }
 }
 
-/// Calls take(x, y...) for each number of structs that list the same members, over the same scalar or over several. Flags and words
-/// are left out.
+/// Calls take(x, y...) for each number of structs that list the same members, over the same scalar or over several. Flags and
+/// words are left out.
 template <class Take, class First, class... Others>
 void for_each_number(const Take& take, First& first, Others&... others) {
   using Kind = std::remove_const_t<First>;

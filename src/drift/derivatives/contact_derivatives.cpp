@@ -32,15 +32,16 @@ bool include_derivatives(const DriftProblem<double>& problem, const Inputs& inpu
   using State = typename Tangents::State;
   const Motion motion(problem, inputs, count);
   State x = Tangents::packed(motion.initial_state());
-  TangentSteps<Tangents> steps(
-      typename Tangents::Series([&](const State& at, double t) { return motion.record(at, t); }), x, relative_tolerance,
-      has_stiff_slip(problem));
+  TangentSteps<Tangents> steps(typename Tangents::Series([&](const State& at, double t) { return motion.record(at, t); }), x,
+                               relative_tolerance, has_stiff_slip(problem));
   steps.include(Tangents::packed(motion.typical_state()));
   const TangentLimits limits{.end = problem.units.time_from_s(at_s)};
-  if (follow_tangents(steps, x, limits, found.counters, watch, [](const State&, double) {}) != RunStatus::completed) return false;
+  if (follow_tangents(steps, x, limits, found.counters, watch, [](const State&, double) {}) != RunStatus::completed)
+    return false;
   const auto jets = Tangents::unpacked(x);
   const Mat3<double> R_LH = rotation_matrix(problem.table->start.q_LH);
-  const Vec3<Jet> axis = reference_axis<System>(jets), tip(jets[System::Shape::kPosition], jets[System::Shape::kPosition + 1], 0);
+  const Vec3<Jet> axis = reference_axis<System>(jets),
+                  tip(jets[System::Shape::kPosition], jets[System::Shape::kPosition + 1], 0);
   for (std::size_t k = 0; k < count; ++k) {
     const auto in_L = [&](const Vec3<Jet>& v) { return times(R_LH, Vec3<double>(v[0].d[k], v[1].d[k], v[2].d[k])); };
     found.each.push_back({in_L(axis), in_L(tip)});
@@ -66,15 +67,16 @@ DriftProblem<double> with_law_of_tangents(const DriftProblem<double>& problem) {
 ContactDerivatives contact_derivatives(const DriftProblem<double>& problem, const std::vector<ProblemDerivative>& inputs,
                                        double at_s, double relative_tolerance, const Watch& watch) {
   const DriftProblem<double> smooth = with_law_of_tangents(problem);
-  const auto follow = is_symmetric(problem.table->contact) ? include_derivatives<ContactReducedJets>
-                                                           : include_derivatives<ContactGeneralJets>;
+  const auto follow =
+      is_symmetric(problem.table->contact) ? include_derivatives<ContactReducedJets> : include_derivatives<ContactGeneralJets>;
   ContactDerivatives found;
   for (std::size_t first = 0; first < inputs.size(); first += kInputsAtOnce) {
     const std::size_t count = std::min(kInputsAtOnce, inputs.size() - first);
     Inputs group;
     std::copy_n(inputs.begin() + static_cast<std::ptrdiff_t>(first), count, group.begin());
     const auto share = [&](std::size_t done) { return double(done) / double(inputs.size()); };
-    if (!follow(smooth, group, count, at_s, relative_tolerance, watch.part(share(first), share(first + count)), found)) return found;
+    if (!follow(smooth, group, count, at_s, relative_tolerance, watch.part(share(first), share(first + count)), found))
+      return found;
   }
   found.completed = true;
   return found;

@@ -35,9 +35,10 @@ bool has_tangents(const DriftProblem<double>& problem);
 /// The problem under a law that has tangents: a top rolls that does so from its release on under exact dry friction.
 DriftProblem<double> with_law_of_tangents(const DriftProblem<double>& problem);
 
-/// The change of gravity per radian by which the table is tilted further toward a compass direction. The top is released at the same
-/// angles to the table, and seen from it.
+/// The change of gravity per radian by which the table is tilted further toward a compass direction. The top is released at the
+/// same angles to the table, and seen from it.
 /// @param start  on a table whose axes are the laboratory's turned about a horizontal axis with this azimuth, or by nothing
-ProblemDerivative table_tilt_change(const Model<double>& model, const ContactRelease<double>& start, const SinCos<double>& azimuth);
+ProblemDerivative table_tilt_change(const Model<double>& model, const ContactRelease<double>& start,
+                                    const SinCos<double>& azimuth);
 
 }  // namespace earthtop

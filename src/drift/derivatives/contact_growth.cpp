@@ -67,8 +67,8 @@ ContactGrowth follow(const DriftProblem<double>& problem, double duration_s, dou
   for (std::size_t d = 0; d < kFollowed; ++d)
     disturb<Motion>(problem.table->contact, kContactDisturbances[d].turn(), kContactDisturbances[d].rate() * rate, d, start);
   State x = Tangents::packed(start);
-  TangentSteps<Tangents> steps(
-      typename Tangents::Series([&](const State& at, double t) { return motion.record(at, t); }), x, relative_tolerance);
+  TangentSteps<Tangents> steps(typename Tangents::Series([&](const State& at, double t) { return motion.record(at, t); }), x,
+                               relative_tolerance);
   steps.include(Tangents::packed(motion.typical_state()));
   ContactGrowth growth;
   // The path of the axis is measured from step to step.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// A top on a table whose numbers carry their derivatives by some inputs: both motions, or the non-rotating prediction alone, which is half
-/// of their state. To be included before any header of the model.
+/// A top on a table whose numbers carry their derivatives by some inputs: both motions, or the non-rotating prediction alone, which
+/// is half of their state. To be included before any header of the model.
 #pragma once
 
 #include "drift/derivatives/record_tangents.hpp"
@@ -29,10 +29,8 @@ class ContactTangents {
       : inputs_(inputs),
         model_(kMotions == OnTable::both_motions ? problem.model : without_earth_rate(problem.model)),
         beside_{model_, inputs_, count},
-        system_(jets_of(model_, inputs),
-                jets_of(problem.table->contact, inputs, &TableDerivative::contact),
-                jets_of(problem.table->start, inputs, &TableDerivative::start),
-                jets_of(problem.natural_release(), inputs)) {}
+        system_(jets_of(model_, inputs), jets_of(problem.table->contact, inputs, &TableDerivative::contact),
+                jets_of(problem.table->start, inputs, &TableDerivative::start), jets_of(problem.natural_release(), inputs)) {}
   ContactTangents(const ContactTangents&) = delete;
 
   Values initial_state() const { return part(system_.initial_state()); }

@@ -19,7 +19,8 @@ template <class Derivative>
 auto derivatives_of_members(Derivative& derivative) {
   using std::ref;
   auto& [I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, W_IL_L_scaled, q_LB, w_XB_B, coriolis, centrifugal,
-         release, platform, applied, tide, table] = derivative;  // three of them are of the release, and the last is no member of a model
+         release, platform, applied, tide, table] =
+      derivative;  // three of them are of the release, and the last is no member of a model
   auto& [rate, acceleration, amplitude, frequency, phase, pivot_offset_P] = platform;
   const NoDerivative none;
   const auto weights = std::make_tuple(ref(coriolis), none, ref(centrifugal));

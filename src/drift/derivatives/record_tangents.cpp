@@ -60,6 +60,9 @@ struct FollowedOnTable {
     for (std::size_t half = 0; half < N; half += Shape::kHalf) std::copy_n(&rate[half], Shape::kWork, &dxdt[half]);
   }
 };
+template <class Pair>
+FollowedOnTable(Pair) -> FollowedOnTable<Pair>;
+
 ContactReducedEquations<R, Observer::laboratory> made_of(const ContactReducedEquations<Jet, Observer::laboratory>& equations,
                                                          const Model<R>& model, const Contact<R>& contact,
                                                          const Quaternion<R>& q_LH, const ToParameter& to) {
@@ -89,7 +92,7 @@ taylor::Operations<double> record_on_table(const Equations& equations, OnTable m
     Contact<R> contact;
     Quaternion<R> q_LH;
     convert(equations.model(), model, to), convert(equations.contact(), contact, to), convert(equations.q_LH(), q_LH, to);
-    return FollowedOnTable<decltype(made_of(equations, model, contact, q_LH, to))>{made_of(equations, model, contact, q_LH, to)};
+    return FollowedOnTable{made_of(equations, model, contact, q_LH, to)};
   };
   return motions == OnTable::both_motions ? record<Equations::kSize>(make, beside, x, t)
                                           : record<Equations::kHalf>(make, beside, x, t);

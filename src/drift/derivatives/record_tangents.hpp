@@ -29,8 +29,8 @@ taylor::Operations<double> record_tangents(const Model<Jet>& model, const Beside
 taylor::Operations<double> record_tangents(const DrivenReducedEquations<Jet, Observer::laboratory>& equations,
                                            const BesideJets& beside, std::span<const double> x, double t);
 
-/// What is followed of a top on a table: both motions, or the non-rotating prediction alone. The integrals of friction's work, which
-/// nothing depends on, stay as they are.
+/// What is followed of a top on a table: both motions, or the non-rotating prediction alone. The integrals of friction's work,
+/// which nothing depends on, stay as they are.
 enum class OnTable { both_motions, reference };
 /// The equations of a top on a table (contact_reduced_equations.hpp, contact_general_equations.hpp), in laboratory axes.
 taylor::Operations<double> record_tangents(const ContactReducedEquations<Jet, Observer::laboratory>& equations, OnTable motions,

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "drift/derivatives/contact_tangents.hpp"
 #include "drift/derivatives/contact_derivatives.hpp"
+#include "drift/derivatives/contact_tangents.hpp"
 #include "drift/derivatives/growth_work.hpp"
 #include "drift/derivatives/tangent_steps.hpp"
 #include "drift/measures.ipp"
@@ -32,7 +32,6 @@ struct OnPivot {
 /// Any body in body axes.
 class AnyBody : public OnPivot<DriftSystem<Jet, Observer::body, SceneKind::full, RotatingMotion::composed>> {
  public:
-
   AnyBody(const MotionProblem<double>& problem, const Inputs& inputs, std::size_t count)
       : beside_{problem.model, inputs, count}, model_(jets_of(problem.model, inputs)), system_(model_) {
     const NaturalRelease<Jet> release = jets_of(problem.natural_release(), inputs);
@@ -122,7 +121,8 @@ struct Asked {
 
 /// Integrates with one group of inputs, of which `count` are asked for, and appends their derivatives to the result.
 template <class Form>
-void follow(Form&& form, const MotionProblem<double>& problem, std::size_t count, const Asked& asked, DriftSensitivity& result) {
+void follow(Form&& form, const MotionProblem<double>& problem, std::size_t count, const Asked& asked,
+            DriftSensitivity& result) {
   using Tangents = JetTangents<std::remove_reference_t<Form>>;
   using State = typename Tangents::State;
   const bool responds = asked.sought == SensitivitySought::responses;
@@ -139,15 +139,14 @@ void follow(Form&& form, const MotionProblem<double>& problem, std::size_t count
     asked.on_step({t, values_of(s.ref_q_LB), values_of(s.ref_w_LB_B), values_of(s.q_LB), values_of(s.w_LB_B)});
   };
   State x = Tangents::packed(form.initial_state());
-  TangentSteps<Tangents> steps(
-      typename Tangents::Series([&](const State& at, double t) { return form.record(at, t); }), x, asked.relative_tolerance);
+  TangentSteps<Tangents> steps(typename Tangents::Series([&](const State& at, double t) { return form.record(at, t); }), x,
+                               asked.relative_tolerance);
   if constexpr (requires { form.typical_state(); }) steps.include(Tangents::packed(form.typical_state()));
   look(x, 0);
   const double end = problem.units.time_from_s(asked.time_s);
   const TangentLimits limits{.end = end, .steps = variational_limit(problem, asked.time_s, asked.relative_tolerance).steps};
   result.status = follow_tangents(steps, x, limits, result.counters, asked.watch, [&](const State& now, double t) {
-    for (int i = 1; i < looks; ++i)
-      look(steps.within(double(i) / looks), t - steps.last_step() * (looks - i) / looks);
+    for (int i = 1; i < looks; ++i) look(steps.within(double(i) / looks), t - steps.last_step() * (looks - i) / looks);
     look(now, t);
   });
   if (result.status != RunStatus::completed) return;
@@ -204,8 +203,8 @@ DriftSensitivity drift_sensitivity(const DriftProblem<double>& problem, const st
                                    double time_s, double relative_tolerance, const Watch& watch, SensitivitySought sought,
                                    const std::function<void(const FollowedStep&)>& on_step) {
   if (!problem.table)
-    return drift_sensitivity(static_cast<const MotionProblem<double>&>(problem), inputs, time_s, relative_tolerance, watch, sought,
-                             on_step);
+    return drift_sensitivity(static_cast<const MotionProblem<double>&>(problem), inputs, time_s, relative_tolerance, watch,
+                             sought, on_step);
   const DriftProblem<double> smooth = with_law_of_tangents(problem);
   if (!has_tangents(problem)) {
     DriftSensitivity none;
