@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "drift/table/record_contact.ipp"
+
+namespace earthtop {
+EARTHTOP_RECORD_CONTACT(long double, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(long double, Observer::inertial)
+EARTHTOP_RECORD_CONTACT(float128, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(float128, Observer::inertial)
+}  // namespace earthtop
