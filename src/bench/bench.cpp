@@ -12,6 +12,7 @@
 #include "bench/errors.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
+#include "earthtop/scenario/support.hpp"
 
 namespace earthtop {
 namespace {
@@ -96,7 +97,8 @@ void prepare(const Contender& contender, const Scene& scene, const std::vector<d
 /// @throws std::invalid_argument for a method that does not fit the scene
 /// @param scene  without numerics of its own
 void require_fit(const Contender& contender, const Scene& scene) {
-  if (scene.scenario().contact) throw std::invalid_argument("bench: a top on a table cannot be timed; leave the contact out");
+  if (const std::string_view reason = scene.support().no_timing; !reason.empty())
+    throw std::invalid_argument("bench: " + std::string(reason));
   if (contender.peer) {
     if (!scene.is_plain()) throw std::invalid_argument("bench: no peer can integrate this scenario");
   } else if (const auto& reason = scene.method_refusal(contender.options.method)) {

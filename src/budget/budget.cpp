@@ -12,6 +12,7 @@
 #include "budget/effects.hpp"
 #include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/input_derivatives.hpp"
 #include "scene/sensitivity_route.hpp"
 #include "text/number_words.hpp"
@@ -258,24 +259,21 @@ struct Preparation {
         drift_seconds(earthtop::drift_seconds(scene, time_s)) {}
 };
 
-/// The variations that size the effects are those of a body on a fixed pivot.
-void require_fixed_pivot(const Scene& scene) {
-  if (scene.scenario().contact)
-    throw ScenarioError("/contact",
-                        "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the "
-                        "scenario with and without it");
+/// The variations that size the effects are those of a body on a pivot.
+void require_sizes(const Support& support) {
+  if (!support.no_effect_sizes.empty()) throw ScenarioError(std::string(support.pointer), std::string(support.no_effect_sizes));
 }
 
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
-  require_fixed_pivot(scene);
+  require_sizes(scene.support());
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
-  require_fixed_pivot(scene);
+  require_sizes(scene.support());
   const NaturalUnits& units = scene.problem<double>().units;
   const Preparation prepared(scene);
   const std::vector<Candidate>& candidates = prepared.candidates;

@@ -48,13 +48,14 @@ DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_
     }
     summary.axis_bound_rad = std::max(summary.axis_bound_rad, row.drift_axis_bound_rad);
     summary.attitude_bound_rad = std::max(summary.attitude_bound_rad, row.drift_attitude_bound_rad);
-    if (!row.contact) continue;
-    summary.tip_final_m = row.contact->drift_tip_m;
-    if (!summary.tip_max_m || row.contact->drift_tip_m > *summary.tip_max_m) {
-      summary.tip_max_m = row.contact->drift_tip_m, summary.tip_max_at_s = row.t_s;
-      summary.tip_max_bound_m = row.contact->drift_tip_bound_m;
+    if (const auto& tip = row.contact) {
+      summary.tip_final_m = tip->drift_tip_m;
+      if (!summary.tip_max_m || tip->drift_tip_m > *summary.tip_max_m) {
+        summary.tip_max_m = tip->drift_tip_m, summary.tip_max_at_s = row.t_s;
+        summary.tip_max_bound_m = tip->drift_tip_bound_m;
+      }
+      summary.tip_bound_m = std::max(summary.tip_bound_m.value_or(0), tip->drift_tip_bound_m);
     }
-    summary.tip_bound_m = std::max(summary.tip_bound_m.value_or(0), row.contact->drift_tip_bound_m);
   }
   const DriftRow& last = rows.back();
   summary.axis_final_rad = last.drift_axis_rad;

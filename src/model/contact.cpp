@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/model/contact.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include "earthtop/frames/degrees.hpp"
 #include "earthtop/model/contact_algebra.hpp"
 
@@ -15,13 +18,16 @@ Mat3<T> scaled(const Mat3<T>& m, int exponent) {
   return made;
 }
 
-/// The inverse of a symmetric matrix, exactly symmetric.
+/// The inverse of a symmetric matrix, exactly symmetric. It is found near 1, where no product of three moments is too small.
 template <class T>
 Mat3<T> inverse_of(const Mat3<T>& m) {
+  int exponent = 0;
+  std::frexp(static_cast<double>(m.trace()), &exponent);
+  const Mat3<T> near_1 = scaled(m, -exponent);
   Mat3<T> inverse;
-  for (int j = 0; j < 3; ++j) inverse.col(j) = solved<T>(m, Vec3<T>::Unit(j));
+  for (int j = 0; j < 3; ++j) inverse.col(j) = solved<T>(near_1, Vec3<T>::Unit(j));
   const Mat3<T> transposed = inverse.transpose();
-  return (inverse + transposed) / T(2);
+  return scaled<T>((inverse + transposed) / T(2), -exponent);
 }
 
 }  // namespace
@@ -37,28 +43,41 @@ template Quaternion<long double> table_attitude(double, double);
 template Quaternion<float128> table_attitude(double, double);
 
 template <class T>
+Contact<T> in_units(Contact<T> c, const NaturalUnits& units) {
+  const int mass = units.mass_exponent, time = units.time_exponent;
+  c.mass = real::scale(c.mass, -mass);
+  c.viscosity = real::scale(c.viscosity, c.law == ContactLaw::viscous_load ? -time : time - mass);
+  c.slip_floor = real::scale(c.slip_floor, time), c.rate_floor = real::scale(c.rate_floor, time);
+  c.I_BC_B = scaled(c.I_BC_B, -mass), c.I_BC_B_inverse = scaled(c.I_BC_B_inverse, mass), c.S_BC_B = scaled(c.S_BC_B, -mass);
+  c.I1 = real::scale(c.I1, -mass), c.I3 = real::scale(c.I3, -mass);
+  c.gradient_H = scaled(c.gradient_H, 2 * time);
+  return c;
+}
+template Contact<double> in_units(Contact<double>, const NaturalUnits&);
+template Contact<long double> in_units(Contact<long double>, const NaturalUnits&);
+template Contact<float128> in_units(Contact<float128>, const NaturalUnits&);
+
+template <class T>
 Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site& site, const TorqueWeights<T>& weights,
                         const GravityGradientSpec* gradient, const NaturalUnits& units) {
-  const int mass = units.mass_exponent, time = units.time_exponent;
   Contact<T> c;
   c.law = spec.law;
   c.has_spinning_friction = spec.spinning_friction_m != 0, c.has_rolling_resistance = spec.rolling_resistance_m != 0;
-  c.mass = real::scale(body.mass, -mass);
+  c.mass = body.mass;
   c.tip_radius = T(spec.tip_radius_m);
-  if (spec.law == ContactLaw::viscous) c.viscosity = real::scale(T(spec.sliding_viscosity_N_s_m), time - mass);
-  if (spec.law == ContactLaw::viscous_load) c.viscosity = real::scale(T(spec.sliding_viscosity_s_m), -time);
+  if (spec.law == ContactLaw::viscous) c.viscosity = T(spec.sliding_viscosity_N_s_m);
+  if (spec.law == ContactLaw::viscous_load) c.viscosity = T(spec.sliding_viscosity_s_m);
   c.coefficient = T(spec.friction_coefficient);
-  c.slip_floor = real::scale(T(spec.regularisation_m_s), time);
+  c.slip_floor = T(spec.regularisation_m_s);
   c.patch_radius = T(spec.patch_radius_m);
   c.slip_of_spin = T(8) / (T(3) * real::pi<T>());
   c.spin_of_slip = T(15) * real::pi<T>() / T(16);
   c.moment_factor = T(3) * real::pi<T>() / T(16);
   c.spinning_length = T(spec.spinning_friction_m), c.rolling_length = T(spec.rolling_resistance_m);
-  c.rate_floor = real::scale(T(spec.regularisation_rad_s), time);
+  c.rate_floor = T(spec.regularisation_rad_s);
 
-  const Mat3<T> I_BC_B = body.I_BBcm_B();
   c.p_OC_B = body.p_PBcm_B;
-  c.I_BC_B = scaled(I_BC_B, -mass);
+  c.I_BC_B = body.I_BBcm_B();
   c.I_BC_B_inverse = inverse_of(c.I_BC_B);
   c.S_BC_B = (c.I_BC_B.trace() / T(2)) * Mat3<T>::Identity() - c.I_BC_B;
   c.height_of_center = c.p_OC_B[2], c.I1 = c.I_BC_B(0, 0), c.I3 = c.I_BC_B(2, 2);
@@ -73,9 +92,9 @@ Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site
     Mat3<T> exact;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) exact(i, j) = T(in_L(i, j));
-    c.gradient_H = scaled<T>(turned_tensor<T>(R_LH.transpose(), exact), 2 * time);
+    c.gradient_H = turned_tensor<T>(R_LH.transpose(), exact);
   }
-  return c;
+  return in_units(std::move(c), units);
 }
 template Contact<double> make_contact(const ContactSpec&, const Body<double>&, const Site&, const TorqueWeights<double>&,
                                       const GravityGradientSpec*, const NaturalUnits&);

@@ -130,17 +130,26 @@ template Release<long double> make_release(const ReleaseSpec&, const Body<long d
 template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
 
 template <class T>
-Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& contact, const Body<T>& body, const Site& site) {
+Release<T> make_release_on_table(const ReleaseSpec& spec, const Contact<T>& contact, const Body<T>& body, const Site& site) {
   return released<T>(spec, [&](const Quaternion<T>& q_HB) {
     const T cosine = cosine_of_leaning(body, q_HB);
-    const auto rate = steady_precession_on_table(make_contact<T>(contact, body, site, {}, nullptr), T(site.gravity_m_s2),
-                                                 cosine, T(spec.spin_rad_s), spec.precession);
+    const auto rate = steady_precession_on_table(contact, T(site.gravity_m_s2), cosine, T(spec.spin_rad_s), spec.precession);
     if (!rate)
       throw ScenarioError(kPointer, fmt::format("no {} steady precession on this table at this spin and tilt; give a faster "
                                                 "spin, {{\"rate_rad_s\": ...}} or \"none\"",
                                                 spec.precession == Precession::steady_fast ? "fast" : "slow"));
     return *rate;
   });
+}
+template Release<double> make_release_on_table(const ReleaseSpec&, const Contact<double>&, const Body<double>&, const Site&);
+template Release<long double> make_release_on_table(const ReleaseSpec&, const Contact<long double>&, const Body<long double>&,
+                                                    const Site&);
+template Release<float128> make_release_on_table(const ReleaseSpec&, const Contact<float128>&, const Body<float128>&,
+                                                 const Site&);
+
+template <class T>
+Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& contact, const Body<T>& body, const Site& site) {
+  return make_release_on_table<T>(spec, make_contact<T>(contact, body, site, {}, nullptr), body, site);
 }
 template Release<double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<double>&, const Site&);
 template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,

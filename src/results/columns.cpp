@@ -2,6 +2,7 @@
 #include "results/columns.hpp"
 
 #include "budget/effects.hpp"
+#include "earthtop/scenario/support.hpp"
 
 namespace earthtop {
 namespace {
@@ -48,7 +49,7 @@ constexpr TorqueQuantity kTorques[] = {
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
     torque(
         "force_table", "force of the table on the tip", "force_table_N", [](const auto& r) { return r.force_table_A; },
-        [](const Scene& scene) { return scene.scenario().contact.has_value(); }, RowPart::torque, "_N"),
+        [](const Scene& scene) { return scene.support().has_contact; }, RowPart::torque, "_N"),
 };
 
 constexpr bool shares_are_in_order() {

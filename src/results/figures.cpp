@@ -12,6 +12,7 @@
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "results/contact_members.hpp"
 #include "results/member_entries.hpp"
 #include "results/sensitivity_members.hpp"
@@ -52,7 +53,7 @@ Json if_there(const std::optional<double>& other, const T& value) {
 
 /// A value that only a top on a table has; left out for others.
 Json of_contact(R r, const std::optional<double>& value) {
-  return r.scene.scenario().contact || r.contact ? json_from(value) : kLeftOut;
+  return r.scene.support().has_contact || r.contact ? json_from(value) : kLeftOut;
 }
 /// A component of the tip's drift at the end.
 std::optional<double> tip_final(R r, std::size_t component) {

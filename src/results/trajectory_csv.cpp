@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "earthtop/results/results.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "results/columns.hpp"
 #include "results/csv.hpp"
 #include "results/digits.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 /// Whether the file has the columns of the contact.
 bool has_contact(const RunResult& result) {
-  return result.rows.empty() ? result.scene.scenario().contact.has_value() : result.rows.front().contact.has_value();
+  return result.rows.empty() ? result.scene.support().has_contact : result.rows.front().contact.has_value();
 }
 
 std::string header(bool with_contact) {

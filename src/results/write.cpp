@@ -15,6 +15,7 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/row_arrays.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "input/csv_reader.hpp"
 #include "input/document.hpp"
 #include "input/file.hpp"
@@ -214,7 +215,7 @@ RunSize expected_size(const Scenario& scenario) {
   struct BytesARow {
     double memory, of_ledger, trajectory, torques;
   };
-  const bool on_table = scenario.contact.has_value();
+  const bool on_table = support_of(scenario).has_contact;
   const BytesARow row = [&]() -> BytesARow {
     switch (scenario.precision) {
       case Precision::bits53: return on_table ? BytesARow{2400, 150, 870, 490} : BytesARow{1130, 150, 550, 330};

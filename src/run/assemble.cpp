@@ -10,13 +10,12 @@
 #include <utility>
 
 #include "run/assessment.hpp"
-#include "run/contact_assessment.hpp"
-#include "run/contact_report.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
 #include "run/look_between.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
+#include "run/support_reports.hpp"
 #include "run/verdict.hpp"
 #include "run/why.hpp"
 
@@ -29,24 +28,6 @@ namespace {
 /// ten scenes, six times in one, and ten times in none. With long_horizon checked by itself, ten times the distance was too
 /// small in one.
 constexpr int kSafety = 10;
-
-/// The rounding of a rate, in units in the last place, that is counted in the attitudes of a top on a table.
-constexpr int kTurnUnits = 4;
-
-/// Returns an upper estimate of what rounding adds to an attitude by an error of a rate, which grows with the time: both integrations
-/// may have it alike. On a table it is that of the rate at release, because the nudge there is little more, and the angle of spin makes
-/// the most of it. On a pivot it is that of an axis which goes round fast: each step turns the axis by a rounding, and the rate of
-/// precession depends on its tilt. (A top in steady fast precession had errors of 1.8e-12 rad in both, which were 1.3e-13 apart.)
-/// @param steps  the number of steps in the whole run   @param duration_s  its length
-template <class T>
-double turned_by_rounding(const DriftSample<T>& sample, bool on_table, std::size_t steps, double duration_s) {
-  constexpr double kAxisUnits = 8;
-  const double epsilon = static_cast<double>(real::epsilon<T>()), t_s = static_cast<double>(sample.state.t_s);
-  const Vec3<T>& w = sample.state.w_LB_B;
-  if (on_table) return kTurnUnits * epsilon * static_cast<double>(norm(w)) * t_s;
-  const double steps_so_far = static_cast<double>(steps) * (t_s / duration_s);
-  return kAxisUnits * epsilon * std::sqrt(steps_so_far) * static_cast<double>(real::hypot(w[0], w[1])) * t_s;
-}
 
 /// Returns up to which look the two integrations are compared for the bound at look i. They may agree by chance at the first looks, so
 /// the bound also uses the distances at the next two looks for judgement.
@@ -149,6 +130,7 @@ class Assembly {
         parts_(std::move(parts)),
         options_(options),
         rows_(parts_.next(seconds.rows)),
+        support_(reports_in<T>(scene)),
         table_(contact_rows<T>(scene, made_.first.contact_events)) {
     result_.scene = result_.modelled = scene;
     result_.solution = made_.solution;
@@ -158,7 +140,7 @@ class Assembly {
 
   RunResult result() {
     static constexpr void (Assembly::*kStages[])() = {&Assembly::compare,        &Assembly::look,
-                                                      &Assembly::report_contact, &Assembly::judge,
+                                                      &Assembly::report_support, &Assembly::judge,
                                                       &Assembly::differentiate,  &Assembly::take_invariants,
                                                       &Assembly::find_trend,     &Assembly::find_largest,
                                                       &Assembly::explain,        &Assembly::keep_ledger};
@@ -176,7 +158,7 @@ class Assembly {
   /// Makes the rows, and the bounds from the distance of the two integrations.
   void compare() {
     between_ = take_between(made_);
-    DriftBound<T> bound(kSafety, scenario_.contact ? kOnTable : kOnPivot);
+    DriftBound<T> bound(kSafety, round_off_of(scene_.problem<T>()));
     const std::size_t count = std::min(made_.first.samples.size(), made_.second.samples.size());
     const std::size_t steps = is_exact(made_.options.method) ? 0 : static_cast<std::size_t>(made_.first.counters.accepted);
     std::size_t compared = 0;
@@ -197,7 +179,7 @@ class Assembly {
       if (made_.looks.serves(i, LookFor::judgement)) judged_.push_back(judged_look(sample, bound));
       const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
                                                {sample.state.ref_q_LB, other.state.ref_q_LB}};
-      turned = std::max(turned, turned_by_rounding(sample, table_.has_value(), steps, scenario_.duration_s));
+      turned = std::max(turned, support_.turned_by_rounding(sample, steps, scenario_.duration_s));
       // Where the method states no error, only an angle that may be the largest so far counts.
       const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
       if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
@@ -218,12 +200,9 @@ class Assembly {
     if (has_drift(result_)) azimuths_ = look_between(scene_, made_, std::move(between_), judged_, rows_, result_);
   }
 
-  void report_contact() {
+  void report_support() {
     keep(LookFor::row, LookFor::row, made_.looks, made_.first.samples);
-    if (!table_) return;
-    result_.contact = ContactReport{assess_contact_events(made_.first, made_.second, kSafety), 0, {}};
-    const auto balances = assess_contact_balances(scene_, made_.first.samples, result_.rows.size());
-    result_.contact->rotating = balances[0], result_.contact->reference = balances[1];
+    support_.report(made_, kSafety, result_);
   }
 
   void judge() {
@@ -236,7 +215,7 @@ class Assembly {
       result_.verdict = assess_verdict(result_, judged_, growth);
     }
     mark_rows(result_);
-    if (table_) assess_prediction_changes(result_, rows_);
+    support_.report_judged(result_, rows_);
     // The two integrations can agree on a threshold crossing although rounding has moved it in both.
     if (const auto& passed_s = result_.drift.threshold_time_s; passed_s && !result_.verdict.trusts(*passed_s)) {
       result_.drift.threshold_crossing = ThresholdCrossing::uncertain;
@@ -249,9 +228,7 @@ class Assembly {
       result_.sensitivities = assess_sensitivities(result_, parts_.next(seconds_.sensitivities, "sensitivities"));
   }
   void take_invariants() {
-    if (!has_drift(result_)) return;
-    result_.invariants = scenario_.contact ? assess_contact_invariants(scene_, made_.first.samples, result_.rows.size(), rows_)
-                                           : assess_invariants(result_, rows_);
+    if (has_drift(result_)) result_.invariants = support_.invariants(result_, made_.first.samples, rows_);
   }
   void find_trend() {
     if (has_drift(result_)) result_.drift.secular = assess_trend(result_, made_.plan.trend, azimuths_);
@@ -265,11 +242,7 @@ class Assembly {
     result_.theory = assess_theory(scene_, result_.looks, result_.drift);
     result_.why = why_sentences(result_);
   }
-  void keep_ledger() {
-    const Watch ledger = parts_.next(seconds_.ledger, "ledger");
-    result_.ledger = scenario_.contact ? assess_contact_ledger(scene_, made_.first.samples, result_.rows.size(), ledger)
-                                       : assess_ledger(result_, ledger);
-  }
+  void keep_ledger() { result_.ledger = support_.ledger(result_, made_.first.samples, parts_.next(seconds_.ledger, "ledger")); }
 
   void add_notes() {
     if (const auto note = note_on_air(result_)) result_.notes.push_back(*note);
@@ -284,6 +257,7 @@ class Assembly {
   Parts parts_;
   const RunOptions& options_;
   const Watch rows_;
+  const SupportReportsIn<T>& support_;
   std::optional<ContactRows<T>> table_;  ///< of a top on a table
   RunResult result_;
   std::vector<DriftSample<double>> between_;  ///< what the first integration has shown between its rows
@@ -332,7 +306,7 @@ void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
   problem.times_s = looks.compared(std::max<std::size_t>(1, count)).times_s;
-  nudge(problem, T(nudge_units.value_or((problem.table ? kOnTable : kOnPivot).nudge)), nudged_for(problem, first));
+  nudge(problem, T(nudge_units.value_or(round_off_of(problem).nudge)), nudged_for(problem, first));
 }
 
 template <class T>

@@ -8,7 +8,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/general_contact.hpp"
 #include "run/contact_report.hpp"
-#include "scene/examine_contact.hpp"
+#include "scene/touchdown.hpp"
 
 namespace earthtop {
 namespace {
@@ -136,7 +136,7 @@ ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
   explained.drift_tip_m = tip_drift_m(last);
   explained.forces = force_sizes(scene, problem, drift.samples);
   const bool exact = contact.law == ContactLaw::coulomb && contact.slip_floor == 0;
-  if (const double rate = slip_relaxation_rate_per_s(scene); rate > 0 && std::isfinite(rate))
+  if (const double rate = scene.touchdown().relaxation_rate_per_s(); rate > 0 && std::isfinite(rate))
     explained.slip_relaxation_1_s = rate;
   if (contact.law != ContactLaw::frictionless) {
     explained.largest_friction_ratio = 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "drift/derivatives/contact_growth.hpp"
@@ -78,8 +79,8 @@ ContactGrowth followed_growth(const DriftProblem<double>& problem, const RunResu
   return growth;
 }
 
-}  // namespace
-
+/// The verdict on a run that needs no growth of disturbances: a motion beyond the onset of a slip is marginal, an integrable one and
+/// that of a top which stands fast are reliable. None for the others.
 std::optional<VerdictReport> verdict_by_contact(const DriftProblem<double>& problem, const RunResult& result) {
   VerdictReport report;
   if (const auto onset_s = first_event(result, ContactEventKind::slip_started)) {
@@ -101,8 +102,11 @@ std::optional<VerdictReport> verdict_by_contact(const DriftProblem<double>& prob
   return std::nullopt;
 }
 
-FollowedGrowth growth_on_table(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
-                               const Watch& watch) {
+}  // namespace
+
+GrowthFound growth_on_table(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
+                            const Watch& watch) {
+  if (auto settled = verdict_by_contact(problem, result)) return {std::move(settled)};
   const ContactGrowth found = followed_growth(problem, result, watch);
   FollowedGrowth growth;
   growth.completed = found.completed;
@@ -113,7 +117,8 @@ FollowedGrowth growth_on_table(const DriftProblem<double>& problem, const RunRes
     growth.round_off_s = lost->from_s;
     growth.round_off_until_s = lost->until_s;
   }
-  return growth;
+  // Unlike one in a gimbal or on a pivot, a motion on a table is not called chaotic.
+  return {{}, growth, true, problem.table->contact.law != ContactLaw::frictionless};
 }
 
 }  // namespace earthtop

@@ -31,6 +31,10 @@ struct RoundOffUnits {
   double nudge, measures;
 };
 inline constexpr RoundOffUnits kOnPivot{4, 1024}, kOnTable{2, 32};
+template <class T>
+const RoundOffUnits& round_off_of(const DriftProblem<T>& problem) {
+  return problem.table ? kOnTable : kOnPivot;
+}
 
 /// Changes the contact by some units in the last place, as `nudge` changes the model; the body stays symmetric if it is so.
 /// Regularisations, lengths of further friction, weights and gradient stay as they are.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "earthtop/run.hpp"
+
 namespace earthtop {
 
 /// The growth of disturbances along both motions, combined.
@@ -18,6 +20,15 @@ struct FollowedGrowth {
   double departure = 0;
   bool completed = true;
   double followed_s = HUGE_VAL;  ///< time to which the motions were followed (s)
+};
+
+/// What the growth of disturbances says about a run.
+struct GrowthFound {
+  std::optional<VerdictReport> settled{};  ///< the verdict, where no growth had to be followed
+  FollowedGrowth growth{};
+  bool is_integrable = false;
+  bool contracts =
+      false;  ///< whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
 };
 
 }  // namespace earthtop

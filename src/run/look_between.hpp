@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/scenario/support.hpp"
 #include "run/assemble.hpp"
 #include "run/largest_drift.hpp"
 #include "run/rows.hpp"
@@ -30,7 +31,7 @@ void keep(LookFor purpose, LookFor other, Looks& looks, std::vector<DriftSample<
 /// The maker of the contact's part of the rows; none for a fixed pivot.
 template <class T>
 std::optional<ContactRows<T>> contact_rows(const Scene& scene, const std::vector<ContactEvent>& events) {
-  if (!scene.scenario().contact) return std::nullopt;
+  if (!scene.support().has_contact) return std::nullopt;
   return std::optional<ContactRows<T>>(std::in_place, scene.problem<T>(), events);
 }
 

@@ -236,11 +236,8 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
 }
 
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
-  const Scenario& scenario = scene.scenario();
   const double Omega = scene.rotation_rate_rad_s();
-  if (scenario.contact || scene.symmetry_axis() != 2 || scenario.platform || scenario.effects.applied.any() ||
-      scenario.effects.tide || !scenario.effects.all_on() || Omega == 0 || rows.size() < 3)
-    return {};
+  if (!scene.is_plain() || scene.symmetry_axis() != 2 || Omega == 0 || rows.size() < 3) return {};
   const Body<double>& body = scene.body<double>();
   const Release<double>& release = scene.release<double>();
   const double mgl = scene.axial_gravity_torque_N_m();

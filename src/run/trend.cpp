@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "earthtop/closed_form/mean_precession.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "run/assessment.hpp"
 #include "scene/parts.hpp"
 
@@ -26,7 +27,7 @@ constexpr const char* kThroughVertical = "an axis passes through the vertical";
 /// Names what acts on the top besides gravity and the Earth's rotation; empty if nothing does.
 std::string other_action(const Scene& scene) {
   const Scenario& s = scene.scenario();
-  if (s.contact) return "the top stands on a table";
+  if (const std::string_view reason = scene.support().no_trend; !reason.empty()) return std::string(reason);
   if (s.platform && s.platform->pivot_offset_m != std::array<double, 3>{}) return "the pivot rides on a platform";
   if (s.effects.applied.friction()) return "friction acts";
   if (s.effects.applied.gimbal) return "a gimbal holds the axis";

@@ -14,9 +14,9 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/vectors.hpp"
-#include "run/contact_verdict.hpp"
 #include "run/drift_bound.hpp"
 #include "run/largest.hpp"
+#include "run/support_reports.hpp"
 
 namespace earthtop {
 namespace {
@@ -81,9 +81,8 @@ double log_of_lost_rounding(const RunResult& result) {
 }
 
 FollowedGrowth follow_growth(const RunResult& result, const MotionProblem<double>& problem, double tolerance,
-                             const Watch& watch) {
+                             double log_round_off, const Watch& watch) {
   const bool one_motion = norm(problem.model.W_IL_L) == 0;  // both are the same
-  const double log_round_off = log_of_lost_rounding(result);
   // The damping by dry friction increases as the motion slows down, without limit at rest; so the growth ends before a stop.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   FollowedGrowth growth;
@@ -136,9 +135,8 @@ std::optional<double> loose_from_s(std::span<const JudgedLook> judged) {
 }
 
 /// Judges a run by the growth of disturbances along its motions.
-/// @param contracts  whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
-void judge_growth(const FollowedGrowth& growth, std::span<const JudgedLook> judged, bool integrable, bool contracts,
-                  VerdictReport& report) {
+void judge_growth(const GrowthFound& found, std::span<const JudgedLook> judged, VerdictReport& report) {
+  const FollowedGrowth& growth = found.growth;
   report.lyapunov_exponent_1_s = growth.late_exponent_1_s;
   const std::optional<double> loose_s = loose_from_s(judged);
   const bool braked = growth.critical_spin_s.value_or(0) > 0;
@@ -158,13 +156,13 @@ void judge_growth(const FollowedGrowth& growth, std::span<const JudgedLook> judg
   if (loose_s) report.intervals.push_back({*loose_s, {}, Doubt::bound_loose});
   const bool steady = growth.departure < kEquilibrium || growth.critical_spin_s.has_value();
   // Where the late exponent is known, it tells whether disturbances still grow; otherwise friction is taken to end their growth.
-  const bool goes_on = growth.late_exponent_1_s ? *growth.late_exponent_1_s > 0 : !contracts;
+  const bool goes_on = growth.late_exponent_1_s ? *growth.late_exponent_1_s > 0 : !found.contracts;
   if (braked) {
     report.verdict = Verdict::unstable;
     report.intervals.push_back({*growth.critical_spin_s, {}, Doubt::critical_spin});
     report.reason = fmt::format("{} at {:.6g} s: from then on it falls, and disturbances grow as it does{}{}{}",
                                 type_of(Doubt::critical_spin).words, *growth.critical_spin_s, earth, rounding, loose);
-  } else if (integrable || steady || !goes_on) {
+  } else if (found.is_integrable || steady || !goes_on) {
     report.verdict = Verdict::unstable;
     report.reason = goes_on ? fmt::format("disturbances of this motion grow exponentially, {:.4g} per second on average{}{}{}",
                                           growth.mean_exponent_1_s, earth, rounding, loose)
@@ -232,29 +230,35 @@ void conclude(const RunResult& result, VerdictReport& report) {
 }
 
 VerdictReport judged_growth(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
-  VerdictReport report;
   const DriftProblem<double>& problem = result.modelled.problem<double>();
-  const AppliedTorques<double>& applied = problem.model.applied;
-  if (problem.table) {
-    if (const auto settled = verdict_by_contact(problem, result)) return *settled;
-    // Unlike one in a gimbal or on a pivot, a motion on a table is not called chaotic.
-    judge_growth(growth_on_table(problem, result, log_of_lost_rounding(result), watch), judged, true,
-                 problem.table->contact.law != ContactLaw::frictionless, report);
-  } else if (const auto reason = marginal_reason(problem)) {
-    report.verdict = Verdict::marginal;
-    report.intervals.push_back({0, {}, Doubt::stability_limit});
-    report.reason = *reason;
-  } else if (const auto tolerance = growth_tolerance(problem, result.reached_s)) {
-    judge_growth(follow_growth(result, problem, *tolerance, watch), judged, is_integrable(problem),
-                 applied.friction() || applied.gimbal_damping > 0, report);
-  } else {
-    report.reason =
-        "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
-  }
+  GrowthFound found = reports_of(result.modelled).growth(problem, result, log_of_lost_rounding(result), watch);
+  if (found.settled) return *std::move(found.settled);
+  VerdictReport report;
+  judge_growth(found, judged, report);
   return report;
 }
 
 }  // namespace
+
+GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
+                            const Watch& watch) {
+  VerdictReport report;
+  if (const auto reason = marginal_reason(problem)) {
+    report.verdict = Verdict::marginal;
+    report.intervals.push_back({0, {}, Doubt::stability_limit});
+    report.reason = *reason;
+  } else if (const auto tolerance = growth_tolerance(problem, result.reached_s)) {
+    const AppliedTorques<double>& applied = problem.model.applied;
+    return {{},
+            follow_growth(result, problem, *tolerance, log_round_off, watch),
+            is_integrable(problem),
+            applied.friction() || applied.gimbal_damping > 0};
+  } else {
+    report.reason =
+        "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
+  }
+  return {report};
+}
 
 VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
   if (!has_drift(result)) {

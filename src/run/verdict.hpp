@@ -4,7 +4,9 @@
 
 #include <span>
 
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/run.hpp"
+#include "run/followed_growth.hpp"
 #include "run/looks.hpp"
 
 namespace earthtop {
@@ -13,6 +15,10 @@ namespace earthtop {
 /// where closed forms do not already say that nothing grows exponentially.
 /// @param watch  may end the assessment early; the verdict then rests on what is known so far
 VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch);
+
+/// The growth of disturbances along both motions of a body on a pivot. @see SupportReports::growth
+GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
+                            const Watch& watch);
 
 /// The verdict on a run that was not judged.
 VerdictReport not_judged(std::string reason);

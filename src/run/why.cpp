@@ -13,6 +13,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
+#include "run/support_reports.hpp"
 #include "run/why_told.hpp"
 
 namespace earthtop {
@@ -165,6 +166,17 @@ ConeLean cone_lean(double p, double axial, double cos_tilt, double sin_tilt, dou
   return {south, std::abs(south) * (of_swing + of_earth) * (1 + p * p / std::abs(resonance))};
 }
 
+void why::tell_on_pivot(Told& told) {
+  if (told.theory == nullptr) {
+    tell_pendulum(told);
+    tell_gyrocompass(told);
+  } else if (agrees(*told.theory)) {
+    if (told.theory->name == "precession_rate_change") tell_precession(told);
+    if (told.theory->name == "free_gyro_axis_drift") tell_free_gyroscope(told);
+    if (told.theory->name == "sleeping_top_lean_south") tell_sleeping_top(told);
+  }
+}
+
 std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   const Scene& scene = result.modelled;
@@ -181,16 +193,7 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
                  body.I_BP_B(2, 2),
                  scene.axial_gravity_torque_N_m(),
                  {}};
-  if (scene.scenario().contact) {
-    why::tell_on_table(told);
-  } else if (told.theory == nullptr) {
-    why::tell_pendulum(told);
-    why::tell_gyrocompass(told);
-  } else if (why::agrees(*told.theory)) {
-    if (told.theory->name == "precession_rate_change") why::tell_precession(told);
-    if (told.theory->name == "free_gyro_axis_drift") why::tell_free_gyroscope(told);
-    if (told.theory->name == "sleeping_top_lean_south") why::tell_sleeping_top(told);
-  }
+  reports_of(scene).tell(told);
   return std::move(told.sentences);
 }
 

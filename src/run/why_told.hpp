@@ -101,6 +101,7 @@ void tell_free_gyroscope(Told& told);
 void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
+void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
 
 }  // namespace earthtop::why

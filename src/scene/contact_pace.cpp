@@ -8,8 +8,8 @@
 
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/examine_contact.hpp"
-#include "scene/parts.hpp"
+#include "scene/support_laws.hpp"
+#include "scene/touchdown.hpp"
 
 namespace earthtop {
 namespace {
@@ -79,20 +79,25 @@ double slip_damping(const Scene& scene, const OnTable& top, double rate) {
 
 }  // namespace
 
-double falling_rate_on_table(const Scene& scene) { return OnTable(scene).falling_rate(); }
+void on_table::fit_units(const Scene& scene, NaturalUnits& units) {
+  // A ball has no pendulum: its tip may slide, and it falls off a tilted table, without a rate at release.
+  int rate_exponent = 0;
+  std::frexp(OnTable(scene).falling_rate(), &rate_exponent);
+  units.time_exponent = std::min(units.time_exponent, -rate_exponent);
+}
 
-double fastest_rate_on_table(const Scene& scene) {
+double on_table::fastest_rate(const Scene& scene) {
   const OnTable top(scene);
   const double falling = 2 * std::sqrt(top.mass * top.gravity * top.lever / top.least);
   return std::max(top.momentum / top.least + falling + top.earth_rate(scene), 1 / scene.scenario().duration_s);
 }
 
-Paced paced_on_table(const Scene& scene) {
+Paced on_table::paced(const Scene& scene) {
   constexpr double kUnknownRelaxation = 1e5;  // 1/s: of a law with a corner where the slip ends
   const ContactSpec& spec = *scene.scenario().contact;
   const OnTable top(scene);
   const double time = scene.scenario().duration_s, carried = top.falling_rate() + top.earth_rate(scene);
-  const double given = slip_relaxation_rate_per_s(scene);
+  const double given = scene.touchdown().relaxation_rate_per_s();
   const double slip = std::isfinite(given) ? given : kUnknownRelaxation, braking = braking_rate(spec, top);
 
   Pace pace;

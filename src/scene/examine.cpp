@@ -4,13 +4,10 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "earthtop/scene/scene.hpp"
-#include "scene/examine_contact.hpp"
 #include "scene/plausibility.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -29,51 +26,16 @@ bool check_start(const Section& release, const Scene& scene) {
   return false;
 }
 
-/// Checks that a gimbal that holds the axis level gets an axis that is level and a rate that keeps it level.
-void check_gimbal(const Section& effects, const Scene& scene) {
-  constexpr double kLevel = 1e-12;
-  const Scenario& scenario = scene.scenario();
-  const Release<double>& release = scene.release<double>();
-  const Mat3<double> R_LB = rotation_matrix(release.q_LB);
-  const Vec3<double> up_B = R_LB.row(2).transpose();
-  if (scenario.platform) return effects.refuse_key("gimbal", "is not available on a platform; leave one of the two out");
-  if (scenario.effects.applied.coulomb_N_m != 0)
-    return effects.refuse_key("coulomb_torque_N_m", "is not available with a gimbal; give the gimbal a damping instead");
-  if (std::abs(up_B[2]) > kLevel)
-    return effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release tilts it by {:.6g} deg; give "
-                                                "/release/tilt_deg 90, or leave the gimbal out",
-                                                real::atan2(real::hypot(up_B[0], up_B[1]), up_B[2]) * 180 / std::numbers::pi));
-  if (scenario.release.rates_relative_to == RatesRelativeTo::inertial)
-    return effects.refuse(
-        "gimbal",
-        "holds body axis 3 level in the laboratory, and rates that are the same in inertial space would let it "
-        "leave the level; give /release/rates_relative_to \"laboratory\"");
-  const double leaving = release.w_XB_B.dot(up_B.cross(Vec3<double>::UnitZ()));
-  if (std::abs(leaving) > kLevel * norm(release.w_XB_B))
-    effects.refuse("gimbal", fmt::format("holds body axis 3 level, and the release turns it out of the level at {:.6g} rad/s; "
-                                         "give rates about axis 3 and Up only",
-                                         std::abs(leaving)));
-}
-
-/// Checks what the effects require of the release, of the platform and of one another.
 void check_effects(const Section& effects, const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  const AppliedTorquesSpec& applied = scenario.effects.applied;
-  if (applied.gimbal && !scenario.contact) check_gimbal(effects, scene);
   constexpr double kLongestTide_s = 3.2e7;  // computing the tide's series for this time takes a second or two
   if (scenario.effects.tide && !scenario.effects.tide->given && scenario.duration_s > kLongestTide_s)
     effects.refuse("tide",
                    "of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude");
-  if (applied.coulomb_N_m != 0 && scenario.platform && !scenario.contact)
-    effects.refuse_key("coulomb_torque_N_m", "is not available on a platform; leave one of the two out");
-}
-
-/// Refuses what is made for a fixed pivot only.
-void check_beside_contact(const Section& root, const Scene& scene) {
-  if (!scene.scenario().contact) return;
-  if (scene.scenario().effects.automatic)
-    root.section("effects").refuse_key(
-        "select", "sizes the effects for a top on a fixed pivot, and is not available with /contact; name the effects instead");
+  if (scenario.effects.automatic && !scene.support().no_effect_sizes.empty())
+    effects.refuse_key("select", fmt::format("sizes the effects for a top on a fixed pivot, and is not available with {}; name "
+                                             "the effects instead",
+                                             scene.support().pointer));
 }
 
 void check_method(const Section& numerics, const Scene& scene) {
@@ -100,9 +62,8 @@ void check_cost(const Section& root, const Scene& scene) {
 
 void check_scene(const Section& root, const Scene& scene) {
   if (!check_start(root.section("release"), scene)) return;
-  if (scene.scenario().contact) check_contact(root, scene);
+  laws_of(scene).check(root, scene);
   check_effects(root.section("effects"), scene);
-  check_beside_contact(root, scene);
   check_method(root.section("numerics"), scene);
 }
 

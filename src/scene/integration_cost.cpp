@@ -6,7 +6,7 @@
 #include "drift/long_horizon/long_horizon_work.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/parts.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -29,22 +29,10 @@ double slowness(Precision precision) {
   return 1;
 }
 
-/// Returns the time (s) of one evaluation for a top on a table.
-double seconds_on_table(const Scene& scene, const IntegrationOptions& options) {
-  const bool reduced = scene.form(options) == ModelForm::reduced;
-  const double without_spin = options.method == Method::taylor ? 1.2e-6 : 5e-7, in_laboratory = reduced ? without_spin : 2e-6;
-  return options.observer == Observer::inertial ? 1.5 * in_laboratory : in_laboratory;
-}
-
 /// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
   if (options.method == Method::closed_form) return 5e-7;
-  if (scene.scenario().contact) return slowness(scene.scenario().precision) * seconds_on_table(scene, options);
-  constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
-  const bool reduced = scene.form(options) == ModelForm::reduced;
-  double seconds = reduced ? kReduced : general_evaluation_seconds(scene);
-  if (options.method == Method::taylor && !scene.is_plain()) seconds = reduced ? kDrivenOrder : kGeneralOrder;
-  return slowness(scene.scenario().precision) * seconds;
+  return slowness(scene.scenario().precision) * laws_of(scene).evaluation_seconds(scene, options);
 }
 
 bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
@@ -61,6 +49,19 @@ IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& 
 }
 
 }  // namespace
+
+double on_pivot::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) {
+  constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
+  const bool reduced = scene.form(options) == ModelForm::reduced;
+  if (options.method == Method::taylor && !scene.is_plain()) return reduced ? kDrivenOrder : kGeneralOrder;
+  return reduced ? kReduced : general_evaluation_seconds(scene);
+}
+
+void on_pivot::take_series_form(const Scene& scene, IntegrationOptions& series) {
+  series.observer = Observer::laboratory;
+  series.form = ModelForm::automatic;
+  if (scene.form(series) != ModelForm::reduced) series.observer = Observer::body, series.form = ModelForm::general;
+}
 
 double general_evaluation_seconds(const Scene& scene) {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
@@ -92,11 +93,7 @@ IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOption
   series.method = Method::taylor;
   series.step_s.reset();
   series.relative_tolerance = default_tolerance(Precision::bits53);
-  if (!scene.scenario().contact) {
-    series.observer = Observer::laboratory;
-    series.form = ModelForm::automatic;
-    if (scene.form(series) != ModelForm::reduced) series.observer = Observer::body, series.form = ModelForm::general;
-  }
+  laws_of(scene).take_series_form(scene, series);
   const bool steps_aside = is_long_horizon(scene, first);
   return steps_aside && long_horizon_cost(scene, first, looks).seconds < cost_of(scene, series).seconds ? again : series;
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "drift/long_horizon/long_horizon_work.hpp"
-#include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -52,25 +52,10 @@ bool has_long_horizon(const Scene& given) {
          kGain * seconds_with(scene, options) < seconds_with(scene, with_taylor(scene));
 }
 
-/// Chooses for a top on a table, whose equations exist in laboratory and in inertial axes, without the spin if it is symmetric.
-MethodChoice choose_on_table(const Scene& scene) {
-  IntegrationOptions options = scene.scenario().numerics;
-  options.form = scene.form(options);
-  if (options.method != Method::automatic) return {options, "asked for"};
-  options.method = Method::taylor;
-  // The last term of a step is far below the tolerance, and at a tenfold one all that is left is rounding.
-  constexpr double kLooser = 10, kLoosest = 1e-6;
-  options.relative_tolerance = std::max(options.relative_tolerance, std::min(kLooser * options.relative_tolerance, kLoosest));
-  return {options, options.form == ModelForm::reduced
-                       ? "a symmetric top on a table, integrated without its spin: Taylor series take the fewest operations"
-                       : "a body on a table: Taylor series take the fewest operations"};
-}
-
 }  // namespace
 
-MethodChoice choose_method(const Scene& scene) {
+MethodChoice on_pivot::choose_method(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  if (scenario.contact) return choose_on_table(scene);
   IntegrationOptions asked = scenario.numerics;
   const bool series = !scene.method_refusal(Method::taylor);
   if (scenario.effects.applied.coulomb_N_m != 0 &&
@@ -112,6 +97,11 @@ MethodChoice choose_method(const Scene& scene) {
   options.observer = Observer::body;
   options.form = ModelForm::general;
   return {options, "Taylor series of the equations in body axes take the fewest operations"};
+}
+
+ModelForm on_pivot::form(const Scene& scene, const IntegrationOptions& options) {
+  const bool reducible = scene.is_reducible() || (options.method == Method::taylor && scene.is_reducible_when_driven());
+  return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }
 
 }  // namespace earthtop

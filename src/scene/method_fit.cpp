@@ -8,7 +8,8 @@
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/reduced_torques.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/parts.hpp"
+#include "earthtop/scenario/support.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -26,41 +27,11 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
 /// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
   const std::string what = quoted(word) + ' ';
-  if (scene.scenario().platform) return what + "is not available on a platform; take \"auto\", or leave the platform out";
-  if (scene.scenario().contact) return what + "is not available for a top on a table; take \"auto\", or leave the contact out";
+  if (const std::string_view reason = scene.support().no_exact_motion; !reason.empty()) return what + std::string(reason);
   if (auto reason = need_all_torques(word, scene)) return reason;
   if (!scene.is_plain())
     return what + "works only with gravity and the Earth's rotation; take \"auto\", or leave the other effects out";
   return std::nullopt;
-}
-
-/// Refuses the methods for which the equations of a top on a table are not built.
-std::optional<std::string> need_fixed_pivot(const MethodRow& row, const Scene& scene) {
-  const bool runge_kutta = scene.scenario().precision == Precision::bits53;
-  const Method method = row.method;
-  if (!scene.scenario().contact || method == Method::automatic || method == Method::taylor || method == Method::extrapolation ||
-      (method == Method::rkf78 && runge_kutta))
-    return std::nullopt;
-  return fmt::format("{} is not built for a top on a table{}; take \"auto\", \"taylor\"{} \"extrapolation\"{}",
-                     quoted(row.word), method == Method::rkf78 ? " in extended precision" : "", runge_kutta ? "," : " or",
-                     runge_kutta ? " or \"rkf78\"" : "");
-}
-
-/// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
-std::optional<std::string> need_smooth_scene(std::string_view word, const Scene& scene) {
-  if (scene.scenario().contact) return std::nullopt;  // its equations weigh force and torque in every formulation
-  if (auto reason = need_all_torques(word, scene)) return reason;
-  const double w3 = scene.release<double>().w_XB_B[2];
-  const auto torques = make_applied_torques<double>(scene.scenario().effects.applied, scene.site(), w3, 0, 0);
-  if (!torques.has_corner()) return std::nullopt;
-  const double carrier_rate = scene.platform_demand().rate_rad_s + std::abs(scene.rotation_rate_rad_s());
-  if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
-      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, carrier_rate, scene.fastest_rate_rad_s(),
-                            scene.scenario().duration_s))
-    return std::nullopt;
-  return quoted(word) +
-         " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it works for symmetric "
-         "tops that keep most of their spin; take \"auto\"";
 }
 
 std::optional<std::string> need_closed_form(std::string_view word, const Scene& scene) {
@@ -123,6 +94,22 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
 
 }  // namespace
 
+/// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
+std::optional<std::string> on_pivot::refuse_smooth(const MethodRow& row, const Scene& scene) {
+  if (auto reason = need_all_torques(row.word, scene)) return reason;
+  const double w3 = scene.release<double>().w_XB_B[2];
+  const auto torques = make_applied_torques<double>(scene.scenario().effects.applied, scene.site(), w3, 0, 0);
+  if (!torques.has_corner()) return std::nullopt;
+  const double carrier_rate = scene.platform_demand().rate_rad_s + std::abs(scene.rotation_rate_rad_s());
+  if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
+      friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, carrier_rate, scene.fastest_rate_rad_s(),
+                            scene.scenario().duration_s))
+    return std::nullopt;
+  return quoted(row.word) +
+         " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it works for symmetric "
+         "tops that keep most of their spin; take \"auto\"";
+}
+
 ExactKind closed_form_of(const Scene& scene) {
   return scene.is_plain() ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
 }
@@ -147,8 +134,8 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene) {
         "with dry friction a motion comes to rest within a step, which only {} find; take one of them, or \"auto\"", finders);
   }
   switch (row.fit) {
-    case MethodFit::any: return need_fixed_pivot(row, scene);
-    case MethodFit::smooth: return need_smooth_scene(row.word, scene);
+    case MethodFit::any: return laws_of(scene).refuse_general(row, scene);
+    case MethodFit::smooth: return laws_of(scene).refuse_smooth(row, scene);
     case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
     case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);
     case MethodFit::closed_form: return need_closed_form(row.word, scene);

@@ -7,7 +7,7 @@
 
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/parts.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -226,8 +226,7 @@ PlatformDemand demand_of(const Scene& scene) {
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
-double fastest_rate_of(const Scene& scene) {
-  if (scene.scenario().contact) return fastest_rate_on_table(scene);
+double on_pivot::fastest_rate(const Scene& scene) {
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
@@ -238,8 +237,7 @@ double fastest_rate_of(const Scene& scene) {
   return std::max(rate, 1 / scene.scenario().duration_s);
 }
 
-Paced paced(const Scene& scene) {
-  if (scene.scenario().contact) return paced_on_table(scene);
+Paced on_pivot::paced(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const Driven driven(scene);
   const FrictionPace friction = driven.friction(scene);

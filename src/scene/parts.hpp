@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Functions that compute the parts of a scene. A Scene calls each of them once and keeps the result.
+/// Functions that compute the parts of a scene. A Scene calls each of them once and keeps the result. Those that depend on what
+/// carries the top are in support_laws.hpp.
 #pragma once
 
 #include "earthtop/closed_form/mean_precession.hpp"
@@ -11,6 +12,10 @@ namespace earthtop {
 
 // problem.cpp: from body and release to the model and to the problem that an integration takes, in any precision.
 NaturalUnits units_of(const Scene& scene);
+template <class T>
+TorqueWeights<T> weights_of(const EffectsSpec& effects) {
+  return {T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
+}
 template <class T>
 Model<T> model_of(const Scene& scene, const NaturalUnits& units = {});
 extern template Model<double> model_of(const Scene&, const NaturalUnits&);
@@ -41,23 +46,16 @@ inline constexpr int kMostPictureLooks = 24'000;
 
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);
-double fastest_rate_of(const Scene& scene);
 struct Paced {
   Pace pace;
   StiffFriction stiffest;
 };
-Paced paced(const Scene& scene);
 // stretches.cpp: the same for a body in a gimbal or on a platform, whose steps no rate at release tells: stretches of the motion are
 // integrated, by the methods of the run, and the pace says how many steps they took against what the rule finds.
-bool is_carried(const Scene& scene);
 Pace pace_as_seen(const Scene& scene);
 /// Returns whether a carried scene is so short that looking at it would take a large part of a run, and that the limit of a run's
 /// work is far above it in any case.
 bool is_too_short_to_look(const Scene& scene);
-// contact_pace.cpp: the same for a top on a table, about its centre of mass; and the rate at which it falls from upright (rad/s).
-double falling_rate_on_table(const Scene& scene);
-double fastest_rate_on_table(const Scene& scene);
-Paced paced_on_table(const Scene& scene);
 
 // method_fit.cpp: which method fits the scene.
 ExactKind closed_form_of(const Scene& scene);
@@ -78,9 +76,6 @@ double seconds_looking(const Scene& scene, const IntegrationOptions& first, doub
 /// Returns the time (s) of one right-hand side of both predictions and the deviation between them, in double and in the general
 /// form, including its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);
-
-// method_choice.cpp: the method that "auto" stands for, chosen by the cost of one integration with each method.
-MethodChoice choose_method(const Scene& scene);
 
 // run_estimate.cpp: the cost of the run with the chosen method.
 RunEstimate estimate_run(const Scene& scene);

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "earthtop/model/body.hpp"
-#include "scene/examine_contact.hpp"
+#include "scene/support_laws.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop {
@@ -117,7 +117,7 @@ void warn_of_implausible(const Section& root, const Scene& scene) {
   const auto& rates = given.angular_velocity_body_rad_s;
   const double spin = rates ? real::hypot((*rates)[0], (*rates)[1], (*rates)[2]) : given.spin_rad_s;
   if (has_body) warn_of_body(root.section("body"), scene, spin, release.has("spin_rpm"));
-  if (has_body && scene.scenario().contact) warn_of_contact(root.section("contact"), scene);
+  if (has_body) laws_of(scene).warn(root, scene);
 }
 
 }  // namespace earthtop

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the input of a scene's integrations from its body and its release.
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
-#include "scene/parts.hpp"
+#include "earthtop/scenario/support.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 
@@ -21,11 +18,6 @@ TideSeries<T> tide_series(const Scene& scene) {
                                  T(tide.phase_deg) * real::pi<T>() / T(180));
 }
 
-template <class T>
-TorqueWeights<T> weights_of(const EffectsSpec& effects) {
-  return {T(effects.coriolis ? 1 : 0), T(effects.transverse ? 1 : 0), T(effects.centrifugal ? 1 : 0)};
-}
-
 }  // namespace
 
 NaturalUnits units_of(const Scene& scene) {
@@ -33,12 +25,7 @@ NaturalUnits units_of(const Scene& scene) {
   const Platform<double> made = platform ? make_platform<double>(*platform) : Platform<double>();
   NaturalUnits units = natural_units(scene.body<double>(), scene.release<double>(), scene.site().gravity_m_s2,
                                      scene.rotation_rate_rad_s(), platform ? &made : nullptr);
-  if (scene.scenario().contact) {
-    // A ball has no pendulum: its tip may slide, and it falls off a tilted table, without a rate at release.
-    int rate_exponent = 0;
-    std::frexp(falling_rate_on_table(scene), &rate_exponent);
-    units.time_exponent = std::min(units.time_exponent, -rate_exponent);
-  }
+  laws_of(scene).fit_units(scene, units);
   return units;
 }
 
@@ -52,7 +39,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
   auto model = make_model<T>(scene.body<T>(), scene.site(), scene.rotation_rate_rad_s(), weights,
                              on_platform ? &platform : nullptr, units);
   // On a table the gradient of gravitation acts through the contact, with its force.
-  if (effects.applied.any() && !scenario.contact) {
+  if (effects.applied.any() && !scene.support().has_contact) {
     model.applied = make_applied_torques<T>(effects.applied, scene.site(), scene.release<double>().w_XB_B[2],
                                             units.mass_exponent, units.time_exponent);
     model.kind = SceneKind::full;
@@ -68,20 +55,6 @@ template Model<long double> model_of(const Scene&, const NaturalUnits&);
 template Model<float128> model_of(const Scene&, const NaturalUnits&);
 
 template <class T>
-TableProblem<T> table_of(const Scene& scene, const Body<T>& body, const NaturalUnits& units) {
-  const ContactSpec& spec = *scene.scenario().contact;
-  const EffectsSpec& effects = scene.scenario().effects;
-  const auto& gradient = effects.applied.gravity_gradient;
-  TableProblem<T> table;
-  table.contact = make_contact<T>(spec, body, scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr, units);
-  table.start = make_contact_release<T>(spec, units);
-  if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
-  table.static_coefficient = spec.static_coefficient;
-  return table;
-}
-template TableProblem<float128> table_of(const Scene&, const Body<float128>&, const NaturalUnits&);
-
-template <class T>
 DriftProblem<T> problem_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   DriftProblem<T> problem;
@@ -92,7 +65,7 @@ DriftProblem<T> problem_of(const Scene& scene) {
   if (scenario.numerics.stops_beyond_estimate) problem.pace = is_too_short_to_look(scene) ? scene.pace_by_rule() : scene.pace();
   problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
   problem.threshold_rad = scenario.threshold_rad;
-  if (scenario.contact) problem.table = table_of<T>(scene, scene.body<T>(), problem.units);
+  laws_in<T>(scene).complete(scene, problem);
   return problem;
 }
 template DriftProblem<double> problem_of(const Scene&);

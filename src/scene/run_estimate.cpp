@@ -9,25 +9,13 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
-#include "scene/parts.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/sensitivity_route.hpp"
+#include "scene/support_laws.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
-
-/// Returns the work of following the growth of disturbances along both motions, which a run's verdict needs.
-Work work_of_verdict(const Scene& scene) {
-  if (scene.scenario().contact) return {};  // the variational equations are those of a body on a fixed pivot
-  MotionProblem<double> problem = scene.problem<double>();
-  const auto tolerance = growth_tolerance(problem, scene.scenario().duration_s);
-  if (!tolerance) return {};
-  problem.pace = scene.pace();
-  const Work work = growth_work(problem, scene.scenario().duration_s, *tolerance);
-  const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
-  const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
-  return {motions * share * work.steps, motions * share * work.evaluations};
-}
 
 /// Returns the time (s) of one evaluation of a motion with three disturbances, as measured.
 double seconds_a_variation(const Scene& scene) {
@@ -51,21 +39,23 @@ double picture_looks(const Scene& scene) {
   return kLooksARadian * scene.pace().axis_rate_rad_s * scene.scenario().duration_s;
 }
 
-/// Names the motion that dies out too fast on a table and what to take instead, by the key of the friction.
-std::pair<std::string_view, std::string_view> stiff_on_table(std::string_view pointer) {
-  if (pointer == "/contact/regularisation_m_s") return {"slip", "a larger regularisation or a shorter duration"};
-  if (pointer == "/contact/patch_radius_m") return {"slip", "a larger patch or a shorter duration"};
-  if (pointer.starts_with("/contact/sliding_viscosity"))
-    return {"slip", "a smaller coefficient, a shorter duration, or \"rolling\", its limit"};
-  return {"turn", "a larger regularisation_rad_s or a shorter duration"};
-}
-
 }  // namespace
+
+Work on_pivot::growth_work(const Scene& scene) {
+  MotionProblem<double> problem = scene.problem<double>();
+  const auto tolerance = growth_tolerance(problem, scene.scenario().duration_s);
+  if (!tolerance) return {};
+  problem.pace = scene.pace();
+  const Work work = earthtop::growth_work(problem, scene.scenario().duration_s, *tolerance);
+  const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
+  const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
+  return {motions * share * work.steps, motions * share * work.evaluations};
+}
 
 RunEstimate estimate_run(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const auto& [first, second] = scene.costs();
-  RunEstimate estimate{first.work, second.work, work_of_verdict(scene), {}};
+  RunEstimate estimate{first.work, second.work, laws_of(scene).growth_work(scene), {}};
   const RowSeconds row = seconds_a_row(scenario.precision);
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();
@@ -101,6 +91,16 @@ std::string about_seconds(double seconds, double limit_s) {
   return in(86400, "days");
 }
 
+std::string on_pivot::too_stiff(const Scene& scene, const std::string& work) {
+  const StiffFriction& stiffest = scene.stiffest_friction();
+  return fmt::format(
+      "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
+      "constants within the duration, of which a step of an explicit method covers a few: {}; at most an hour is "
+      "allowed; take a smaller coefficient or a shorter duration; a motion so strongly damped stands still, or "
+      "creeps at the rate torque / coefficient",
+      stiffest.damping / scene.scenario().duration_s, stiffest.damping, work);
+}
+
 void refuse_unaffordable(const Scene& scene) {
   if (is_too_short_to_look(scene)) return;
   // A motion that turns has to be followed; a motion that friction merely holds still does not justify hours of computing.
@@ -110,7 +110,7 @@ void refuse_unaffordable(const Scene& scene) {
   const double first = scene.costs()[0].work.steps, second = scene.costs()[1].work.steps;
   const auto limit = static_cast<double>(scenario.numerics.step_limit);
   const bool within = first <= limit && second <= std::max(limit, static_cast<double>(IntegrationOptions{}.step_limit));
-  const bool friction = scenario.effects.applied.friction() || scenario.effects.applied.gimbal || scenario.contact;
+  const bool friction = scenario.effects.applied.friction() || scene.support().may_damp;
   const bool stiff = friction && !options.step_s && damping_steps(scene.pace_by_rule(), options) > kNearlyAll * first;
   if (within && !stiff && scenario.precision == Precision::bits53) return;
 
@@ -119,25 +119,8 @@ void refuse_unaffordable(const Scene& scene) {
   const auto [needed, most] = told_apart(steps, limit, 2, 'e');
   const std::string work =
       fmt::format("about {} steps, {} of computing", needed, about_seconds(seconds, stiff ? kStiff_s : kDay_s));
-  if (stiff && !(within && seconds <= kStiff_s)) {
-    const StiffFriction stiffest = scene.stiffest_friction();
-    if (scenario.contact) {
-      const auto [what, instead] = stiff_on_table(stiffest.pointer);
-      throw ScenarioError(
-          std::string(stiffest.pointer),
-          fmt::format("this friction is too stiff: a {} dies out at about {:.1e} 1/s, and every step of an explicit method has "
-                      "to follow it: {}; at most an hour is allowed; take {}",
-                      what, stiffest.damping / scenario.duration_s, work, instead));
-    }
-    throw ScenarioError(
-        std::string(stiffest.pointer),
-        fmt::format(
-            "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "
-            "constants within the duration, of which a step of an explicit method covers a few: {}; at most an hour is "
-            "allowed; take a smaller coefficient or a shorter duration; a motion so strongly damped stands still, or "
-            "creeps at the rate torque / coefficient",
-            stiffest.damping / scenario.duration_s, stiffest.damping, work));
-  }
+  if (stiff && !(within && seconds <= kStiff_s))
+    throw ScenarioError(std::string(scene.stiffest_friction().pointer), laws_of(scene).too_stiff(scene, work));
   if (!within)
     throw ScenarioError(
         "/motion/duration_s",

@@ -4,10 +4,11 @@
 #include <array>
 #include <tuple>
 
-#include "earthtop/model/contact_release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/once.hpp"
-#include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
+#include "scene/support_laws.hpp"
+#include "scene/touchdown.hpp"
 #include "text/sha256.hpp"
 
 namespace earthtop {
@@ -19,6 +20,7 @@ struct InPrecision {
   Once<Body<T>> body;
   Once<Release<T>> release;
   Once<Model<T>> model;
+  Once<TableProblem<T>> table;
   Once<DriftProblem<T>> problem;
 };
 
@@ -40,6 +42,7 @@ struct Scene::Parts {
   std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
   Once<std::string> identity, sha256;
   Once<int> symmetry_axis;
+  Once<Touchdown> touchdown;
   Once<TopFigures> top;
   Once<NaturalUnits> units;
   Once<PlatformDemand> platform_demand;
@@ -66,7 +69,8 @@ const std::string& Scene::sha256() const {
   return parts_->sha256.get([this] { return sha256_hex(identity()); });
 }
 
-bool Scene::is_plain() const { return !scenario().platform && !scenario().contact && scenario().effects.plain(); }
+const Support& Scene::support() const { return support_of(scenario()); }
+bool Scene::is_plain() const { return support().is_fixed_pivot && scenario().effects.plain(); }
 int Scene::symmetry_axis() const {
   return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
 }
@@ -95,11 +99,11 @@ const Body<T>& Scene::body() const {
 }
 template <class T>
 const Release<T>& Scene::release() const {
-  return parts_->in<T>().release.get([this] {
-    const auto& contact = scenario().contact;
-    return contact ? make_release_on_table<T>(scenario().release, *contact, body<T>(), site())
-                   : make_release<T>(scenario().release, body<T>(), T(site().gravity_m_s2));
-  });
+  return parts_->in<T>().release.get([this] { return laws_in<T>(*this).release(*this); });
+}
+template <class T>
+const TableProblem<T>& Scene::table() const {
+  return parts_->in<T>().table.get([this] { return on_table::make_table<T>(*this); });
 }
 template <class T>
 const Model<T>& Scene::model() const {
@@ -109,15 +113,19 @@ template <class T>
 const DriftProblem<T>& Scene::problem() const {
   return parts_->in<T>().problem.get([this] { return problem_of<T>(*this); });
 }
-#define EARTHTOP_SCENE(T)                            \
-  template const Body<T>& Scene::body() const;       \
-  template const Release<T>& Scene::release() const; \
-  template const Model<T>& Scene::model() const;     \
+#define EARTHTOP_SCENE(T)                               \
+  template const Body<T>& Scene::body() const;          \
+  template const Release<T>& Scene::release() const;    \
+  template const TableProblem<T>& Scene::table() const; \
+  template const Model<T>& Scene::model() const;        \
   template const DriftProblem<T>& Scene::problem() const;
 EARTHTOP_SCENE(double)
 EARTHTOP_SCENE(long double)
 EARTHTOP_SCENE(float128)
 
+const Touchdown& Scene::touchdown() const {
+  return parts_->touchdown.get([this] { return Touchdown(*this); });
+}
 const NaturalUnits& Scene::units() const {
   return parts_->units.get([this] { return units_of(*this); });
 }
@@ -134,16 +142,16 @@ const PlatformDemand& Scene::platform_demand() const {
   return parts_->platform_demand.get([this] { return demand_of(*this); });
 }
 double Scene::fastest_rate_rad_s() const {
-  return parts_->fastest_rate.get([this] { return fastest_rate_of(*this); });
+  return parts_->fastest_rate.get([this] { return laws_of(*this).fastest_rate(*this); });
 }
 const Pace& Scene::pace_by_rule() const {
-  return parts_->paced.get([this] { return paced(*this); }).pace;
+  return parts_->paced.get([this] { return laws_of(*this).paced(*this); }).pace;
 }
 const Pace& Scene::pace() const {
-  return is_carried(*this) ? parts_->pace.get([this] { return pace_as_seen(*this); }) : pace_by_rule();
+  return support().drives ? parts_->pace.get([this] { return pace_as_seen(*this); }) : pace_by_rule();
 }
 const StiffFriction& Scene::stiffest_friction() const {
-  return parts_->paced.get([this] { return paced(*this); }).stiffest;
+  return parts_->paced.get([this] { return laws_of(*this).paced(*this); }).stiffest;
 }
 ExactKind Scene::closed_form_kind() const {
   return parts_->closed_form_kind.get([this] { return closed_form_of(*this); });
@@ -157,14 +165,9 @@ void Scene::require_integrable() const {
   if (const auto& reason = method_refusal()) throw ScenarioError("/numerics/method", *reason);
 }
 const MethodChoice& Scene::choice() const {
-  return parts_->choice.get([this] { return choose_method(*this); });
+  return parts_->choice.get([this] { return laws_of(*this).choose_method(*this); });
 }
-ModelForm Scene::form(const IntegrationOptions& options) const {
-  if (scenario().contact)
-    return symmetry_axis() == 2 && options.form != ModelForm::general ? ModelForm::reduced : ModelForm::general;
-  const bool reducible = is_reducible() || (options.method == Method::taylor && is_reducible_when_driven());
-  return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
-}
+ModelForm Scene::form(const IntegrationOptions& options) const { return laws_of(*this).form(*this, options); }
 
 IntegrationCost Scene::cost(const IntegrationOptions& options) const { return cost_of(*this, options); }
 const std::array<IntegrationCost, 2>& Scene::costs() const {

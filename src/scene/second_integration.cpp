@@ -3,28 +3,22 @@
 
 #include <algorithm>
 
+#include "scene/support_laws.hpp"
+
 namespace earthtop {
 
 IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first) {
+  IntegrationOptions second = first;
+  second.form = scene.form(first);
+  second.step_s.reset();
+  return laws_of(scene).second_options(scene, first, second);
+}
+
+IntegrationOptions on_pivot::second_options(const Scene& scene, const IntegrationOptions& first, IntegrationOptions second) {
   const Scenario& scenario = scene.scenario();
   const Precision precision = scenario.precision;
-  const ModelForm form = scene.form(first);
-  IntegrationOptions second = first;
-  second.form = form;
-  second.step_s.reset();
-  if (scenario.contact) {
-    // In inertial axes no Coriolis term appears: of all checks on a table this is the least like the laboratory's equations.
-    second.observer = first.observer == Observer::inertial ? Observer::laboratory : Observer::inertial;
-    second.method = Method::taylor;
-    // The second of two series in unlike equations may as well be that of the larger error: the distance is then this error.
-    constexpr double kLooser = 10, kFiner = 1e-2, kLoose = 5e-10;
-    second.relative_tolerance = first.method == Method::taylor && first.relative_tolerance <= kLoose
-                                    ? kLooser * first.relative_tolerance
-                                    : std::max(kFiner * first.relative_tolerance, least_tolerance(precision));
-    return second;
-  }
   const Observer other =
-      form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
+      second.form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (first.method == Method::closed_form) return second;
   if (first.method == Method::taylor) {

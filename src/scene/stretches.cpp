@@ -7,6 +7,7 @@
 #include "drift/derivatives/growth_work.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/drift/growth.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/parts.hpp"
 #include "scene/second_integration.hpp"
 
@@ -264,11 +265,6 @@ void look(const Scene& scene, Pace& pace) {
 
 }  // namespace
 
-bool is_carried(const Scene& scene) {
-  const Scenario& scenario = scene.scenario();
-  return !scenario.contact && (scenario.platform || scenario.effects.applied.gimbal);
-}
-
 Pace pace_as_seen(const Scene& scene) {
   Pace pace = scene.pace_by_rule();
   switch (scene.scenario().precision) {
@@ -281,7 +277,7 @@ Pace pace_as_seen(const Scene& scene) {
 
 bool is_too_short_to_look(const Scene& scene) {
   constexpr double kFewEvaluations = 1e4;  // the limit of a run's work is never below a hundred times as many
-  if (!is_carried(scene) || scene.scenario().precision != Precision::bits53) return false;
+  if (!scene.support().drives || scene.scenario().precision != Precision::bits53) return false;
   const IntegrationOptions& options = scene.choice().options;
   if (options.step_s || is_exact(options.method)) return false;
   const bool reduced = scene.form(options) == ModelForm::reduced;

@@ -12,9 +12,8 @@
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/body.hpp"
-#include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/release.hpp"
-#include "scene/parts.hpp"
+#include "scene/support_laws.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop {
@@ -64,29 +63,6 @@ std::string_view why_not_symmetric(const Body<double>& body) {
   if (I(0, 1) != 0 || I(0, 2) != 0 || I(1, 2) != 0) return "axis 3 is not a principal axis of the body about the pivot";
   if (I(0, 0) != I(1, 1)) return "I1 and I2 about the pivot are not equal";
   return "the centre of mass is off axis 3";
-}
-
-/// Adds the steady precessions of a symmetric top on a level table, for the laws of friction that let one be steady.
-void add_top_on_table(TopFigures& top, const Scene& scene, double cosine) {
-  const ContactSpec& contact = *scene.scenario().contact;
-  const bool may_be_steady = contact.law == ContactLaw::frictionless || contact.law == ContactLaw::rolling;
-  if (may_be_steady && contact.table_tilt_deg == 0 && scene.symmetry_axis() == 2 && std::abs(cosine) < 1) {
-    const auto on_table = make_contact<double>(contact, scene.body<double>(), scene.site(), {}, nullptr);
-    const auto rate = [&](Precession which) {
-      const auto found = steady_precession_on_table<double>(on_table, scene.site().gravity_m_s2, cosine, top.spin_rad_s, which);
-      return found ? finite(*found) : std::nullopt;
-    };
-    top.slow_precession_rad_s = rate(Precession::steady_slow);
-    top.fast_precession_rad_s = rate(Precession::steady_fast);
-    if (top.slow_precession_rad_s) {
-      top.notes.emplace_back("the precessions are those on this table, with the tip's motion");
-      top.left_out.emplace_back(
-          "nutation and critical spin: the formulas are those of a fixed pivot, and the tip moves on the table");
-      return;
-    }
-  }
-  top.left_out.emplace_back(
-      "precession, nutation and critical spin: the formulas are those of a fixed pivot, and the tip moves on the table");
 }
 
 /// Adds the figures of a body on which gravity has no torque about the pivot.
@@ -205,17 +181,19 @@ TopFigures top_figures_of(const Scene& scene) {
   const bool is_vertical = real::hypot(R_LB(0, 2), R_LB(1, 2)) <= kRoundOff;
   cosine = std::copysign(is_vertical ? 1 : std::min(std::abs(cosine), 1 - real::epsilon<double>()), cosine);
   if (std::abs(cosine) <= kRoundOff) cosine = 0;
-  if (scene.scenario().contact) {
-    add_top_on_table(top, scene, cosine);
-    return top;
-  }
+  laws_of(scene).add_figures(top, scene, cosine);
+  return top;
+}
+
+void on_pivot::add_figures(TopFigures& top, const Scene& scene, double cosine) {
   if (const std::string_view why = why_not_a_top_on_a_pivot(scene.scenario()); !why.empty()) {
     top.left_out.emplace_back(why);
-    return top;
+    return;
   }
+  const Body<double>& body = scene.body<double>();
   const bool is_symmetric = scene.symmetry_axis() == 2;
   if (scene.gravity_torque_N_m() == 0) {
-    add_free_body(top, body, release.w_XB_B);
+    add_free_body(top, body, scene.release<double>().w_XB_B);
   } else if (!is_symmetric) {
     top.left_out.push_back(fmt::format("precession, nutation and critical spin: {}", why_not_symmetric(body)));
   } else {
@@ -226,7 +204,6 @@ TopFigures top_figures_of(const Scene& scene) {
   }
   if (scene.scenario().effects.applied.friction() && top.nutation_rad_s)
     top.notes.emplace_back("the rates are those at release, without friction");
-  return top;
 }
 
 std::optional<double> period_of(const std::optional<double>& rate_rad_s) {

@@ -7,7 +7,7 @@
 #include "earthtop/model/release.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/reference.hpp"
-#include "scene/examine_contact.hpp"
+#include "scene/touchdown.hpp"
 #include "support.hpp"
 
 namespace earthtop::scenario_test {
@@ -357,7 +357,7 @@ TEST(ContactKeys, ATableDoesNotPull) {
 TEST(ContactKeys, ARegularisationThatStepsCannotFollowIsRefused) {
   const Overrides upright = {{"/release/tilt_deg", "0"}};
   const double expected = 0.2 * 9.80665 * (1 + 0.1 * 0.032 * 0.032 / 3e-5);
-  const double rate = slip_relaxation_rate_per_s(*report_of(kCoulomb, upright).scene);
+  const double rate = report_of(kCoulomb, upright).scene->touchdown().relaxation_rate_per_s();
   EXPECT_NEAR(rate, expected / 0.02, 1e-4 * expected / 0.02);  // the Earth's rotation adds to the normal force
   const double least = expected / 1e5;
   const auto with_eps = [&](double eps) {
@@ -371,10 +371,10 @@ TEST(ContactKeys, ARegularisationThatStepsCannotFollowIsRefused) {
   EXPECT_EQ(refused.errors[0].pointer, "/contact/regularisation_m_s");
   EXPECT_NE(refused.errors[0].message.find("100000 per second, or 0 for the exact law"), std::string::npos)
       << refused.errors[0].message;
-  EXPECT_EQ(slip_relaxation_rate_per_s(*report_of(kExact).scene), 0);
-  EXPECT_EQ(slip_relaxation_rate_per_s(*report_of(kRolling).scene), 0);
+  EXPECT_EQ(report_of(kExact).scene->touchdown().relaxation_rate_per_s(), 0);
+  EXPECT_EQ(report_of(kRolling).scene->touchdown().relaxation_rate_per_s(), 0);
   // 8 R w / (3 pi) takes the place of eps.
-  EXPECT_NEAR(slip_relaxation_rate_per_s(*report_of(kContensou, upright).scene),
+  EXPECT_NEAR(report_of(kContensou, upright).scene->touchdown().relaxation_rate_per_s(),
               expected / (8 * 3e-5 * 200 / (3 * 3.141592653589793)), 1);
 }
 

@@ -12,6 +12,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/inputs.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "explain_text.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
@@ -146,7 +147,7 @@ int explain_verb(const ExplainArguments& arguments) {
   Scene scene = *std::move(report.scene);
   const bool lively = !arguments.quiet && !arguments.json;
   std::optional<std::string> text;
-  if (scene.scenario().contact)
+  if (scene.support().has_contact)
     text = watched_explanation(scene, lively, arguments.json);
   else if (const auto budget = watched_budget(scene, lively))
     text = arguments.json ? budget_json(*budget, scene) : explained(*budget, scene, output_screen().width);

@@ -109,6 +109,9 @@ struct DriftProblem : MotionProblem<T> {
   RotatingMotion rotating = RotatingMotion::integrated;
   DriftSought sought = DriftSought::rows;  ///< with `distances` the samples' spin and azimuth are not followed
   std::optional<TableProblem<T>> table;    ///< none: a fixed pivot
+
+  /// The attitude at release in the laboratory; on a table that of the release is relative to the table.
+  Quaternion<T> released_attitude() const { return table ? table->start.q_LH * this->release.q_LB : this->release.q_LB; }
 };
 
 /// Both motions and the drift at the output times, and how their integration ended. Ended early, it has fewer samples.

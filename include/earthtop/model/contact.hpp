@@ -61,6 +61,13 @@ extern template Contact<long double> make_contact(const ContactSpec&, const Body
 extern template Contact<float128> make_contact(const ContactSpec&, const Body<float128>&, const Site&,
                                                const TorqueWeights<float128>&, const GravityGradientSpec*, const NaturalUnits&);
 
+/// Returns the same contact in natural units; its numbers are in SI units. Not a digit changes.
+template <class T>
+Contact<T> in_units(Contact<T> contact, const NaturalUnits& units);
+extern template Contact<double> in_units(Contact<double>, const NaturalUnits&);
+extern template Contact<long double> in_units(Contact<long double>, const NaturalUnits&);
+extern template Contact<float128> in_units(Contact<float128>, const NaturalUnits&);
+
 /// Attitude q_LH of the table's axes: Up turned toward the direction of steepest descent by the tilt. The identity, exactly, for
 /// a level table.
 template <class T>

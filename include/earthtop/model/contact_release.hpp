@@ -20,15 +20,21 @@ struct ContactRelease {
   EARTHTOP_MEMBERS(q_LH, start, v_O, p_O)
 };
 
+/// Returns the same start in natural units; its numbers are in SI units.
+template <class T>
+ContactRelease<T> in_units(ContactRelease<T> release, const NaturalUnits& units) {
+  release.v_O = units.rate_from_rad_s(release.v_O);
+  return release;
+}
+
 template <class T>
 ContactRelease<T> make_contact_release(const ContactSpec& spec, const NaturalUnits& units) {
   ContactRelease<T> release;
   release.q_LH = table_attitude<T>(spec.table_tilt_deg, spec.table_tilt_azimuth_deg);
   release.start = spec.start;
-  if (spec.start == ContactStart::tip_velocity)
-    release.v_O = units.rate_from_rad_s(Vec3<T>(T(spec.tip_velocity_m_s[0]), T(spec.tip_velocity_m_s[1]), T(0)));
+  if (spec.start == ContactStart::tip_velocity) release.v_O = {T(spec.tip_velocity_m_s[0]), T(spec.tip_velocity_m_s[1]), T(0)};
   release.p_O = {T(spec.tip_position_m[0]), T(spec.tip_position_m[1]), T(spec.tip_radius_m)};
-  return release;
+  return in_units(release, units);
 }
 
 /// The slip at release, v_O - r w x z with what the start says of v_O.
@@ -87,6 +93,16 @@ extern template Release<double> make_release_on_table(const ReleaseSpec&, const 
 extern template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,
                                                            const Site&);
 extern template Release<float128> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float128>&,
+                                                        const Site&);
+
+/// The same on a table whose contact is made, in SI units.
+template <class T>
+Release<T> make_release_on_table(const ReleaseSpec& spec, const Contact<T>& contact, const Body<T>& body, const Site& site);
+extern template Release<double> make_release_on_table(const ReleaseSpec&, const Contact<double>&, const Body<double>&,
+                                                      const Site&);
+extern template Release<long double> make_release_on_table(const ReleaseSpec&, const Contact<long double>&,
+                                                           const Body<long double>&, const Site&);
+extern template Release<float128> make_release_on_table(const ReleaseSpec&, const Contact<float128>&, const Body<float128>&,
                                                         const Site&);
 
 /// The model with its gravity and the Earth's rate in the table's axes. Its tide stays in laboratory axes.

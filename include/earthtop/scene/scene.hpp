@@ -25,8 +25,12 @@ template <class T>
 struct Model;
 template <class T>
 struct DriftProblem;
+template <class T>
+struct TableProblem;
 struct NaturalUnits;
+struct Support;
 struct TopFigures;
+class Touchdown;
 
 /// The method that a run uses, and the reason.
 struct MethodChoice {
@@ -86,6 +90,8 @@ class Scene {
   const std::string& identity() const;
   const std::string& sha256() const;
 
+  /// Returns what carries the top (support.hpp).
+  const Support& support() const;
   /// Returns whether the scene is a top under gravity, on a pivot at rest in the laboratory, with all three torques of [F].
   /// Closed forms, exact flows, and the reduced form of every method but `taylor` need such a scene.
   bool is_plain() const;
@@ -111,6 +117,11 @@ class Scene {
   const Release<T>& release() const;
   template <class T>
   const Model<T>& model() const;
+  /// Returns contact and start of a top on a table, in SI units, for the same scalars. The scene must have a contact.
+  template <class T>
+  const TableProblem<T>& table() const;
+  /// Returns the release of both predictions on that table, for the checks of a scene (a header of the library's own sources).
+  const Touchdown& touchdown() const;
   /// Returns mass, centre of mass and moments of the body, and the rates of precession and nutation of its motion without Earth
   /// rotation (top_figures.hpp). @throws ScenarioError where the release does not exist
   const TopFigures& top() const;

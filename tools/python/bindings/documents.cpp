@@ -8,13 +8,14 @@
 #include "earthtop/report/report.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run/contact_explanation.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "waiting.hpp"
 
 namespace earthtop::python {
 namespace {
 
 std::string explained(Scene scene, const Watch& watch) {
-  if (scene.scenario().contact) return contact_explanation_json(explain_contact(scene, watch), scene);
+  if (scene.support().has_contact) return contact_explanation_json(explain_contact(scene, watch), scene);
   const auto budget = explain_effects(scene, watch);
   return budget ? budget_json(*budget, scene) : "";
 }

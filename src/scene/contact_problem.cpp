@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes contact and start of a top on a table.
+#include <numbers>
+
+#include "scene/support_laws.hpp"
+
+namespace earthtop {
+
+template <class T>
+TableProblem<T> on_table::make_table(const Scene& scene) {
+  const ContactSpec& spec = *scene.scenario().contact;
+  const EffectsSpec& effects = scene.scenario().effects;
+  const auto& gradient = effects.applied.gravity_gradient;
+  TableProblem<T> table;
+  table.contact = make_contact<T>(spec, scene.body<T>(), scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr);
+  table.start = make_contact_release<T>(spec, {});
+  if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
+  table.static_coefficient = spec.static_coefficient;
+  return table;
+}
+template TableProblem<double> on_table::make_table(const Scene&);
+template TableProblem<long double> on_table::make_table(const Scene&);
+template TableProblem<float128> on_table::make_table(const Scene&);
+
+}  // namespace earthtop
