@@ -47,10 +47,10 @@ constexpr SupportLaws on_pivot_with(void (*check)(const input::Section&, const S
           .too_stiff = on_pivot::too_stiff};
 }
 
-/// In the order of `kSupports`.
+/// In the order of SupportKind.
 constexpr std::array kLaws = {kOnTable, on_pivot_with(on_pivot::check_platform), on_pivot_with(on_pivot::check_gimbal),
                               on_pivot_with([](const input::Section&, const Scene&) {})};
-static_assert(kLaws.size() == kSupports.size());
+static_assert(kLaws.size() == kSupportCount);
 
 template <class T>
 constexpr SupportLawsIn<T> kOnTableIn{
@@ -67,10 +67,10 @@ constexpr SupportLawsIn<T> kOnPivotIn{
     [](const Scene& scene) { return make_release<T>(scene.scenario().release, scene.body<T>(), T(scene.site().gravity_m_s2)); },
     [](const Scene&, DriftProblem<T>&) {}};
 
-/// In the order of `kSupports`.
+/// In the order of SupportKind.
 template <class T>
 constexpr std::array kLawsIn = {kOnTableIn<T>, kOnPivotIn<T>, kOnPivotIn<T>, kOnPivotIn<T>};
-static_assert(kLawsIn<double>.size() == kSupports.size());
+static_assert(kLawsIn<double>.size() == kSupportCount);
 
 }  // namespace
 

@@ -125,6 +125,17 @@ TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
   EXPECT_THROW(bench(testing::asymmetric_top(), none, options), std::invalid_argument);
 }
 
+TEST(Bench, ATopOnATableIsRefused) {
+  Scenario scenario = testing::toy_top();
+  scenario.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling};
+  try {
+    bench(scenario, {contender(Workload::drift, ModelForm::automatic, 1e-10)}, {});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(), "bench: a top on a table cannot be timed; leave the contact out");
+  }
+}
+
 TEST(Bench, CostAtAnErrorLiesOnTheLineBetweenTwoEntries) {
   std::vector<BenchEntry> entries(3);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/scenario/support.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace earthtop {
+namespace {
+
+constexpr std::array<Support, kSupportCount> kSupports = {{
+    {.kind = SupportKind::table,
+     .pointer = "/contact",
+     .carries = [](const Scenario& s) { return s.contact.has_value(); },
+     .has_contact = true,
+     .may_damp = true,
+     .has_motion_alone = false,
+     .no_exact_motion = "is not available for a top on a table; take \"auto\", or leave the contact out",
+     .no_timing = "a top on a table cannot be timed; leave the contact out",
+     .no_effect_sizes =
+         "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario "
+         "with and without it",
+     .no_trend = "the top stands on a table"},
+    {.kind = SupportKind::platform,
+     .pointer = "/platform",
+     .carries = [](const Scenario& s) { return s.platform.has_value(); },
+     .drives = true,
+     .no_exact_motion = "is not available on a platform; take \"auto\", or leave the platform out"},
+    {.kind = SupportKind::gimbal,
+     .pointer = "/effects/gimbal",
+     .carries = [](const Scenario& s) { return s.effects.applied.gimbal.has_value(); },
+     .may_damp = true,
+     .drives = true},
+    {.kind = SupportKind::pivot, .pointer = "", .carries = [](const Scenario&) { return true; }, .is_fixed_pivot = true},
+}};
+
+constexpr bool supports_are_in_order() {
+  for (std::size_t i = 0; i < kSupports.size(); ++i)
+    if (kSupports[i].kind != static_cast<SupportKind>(i)) return false;
+  return true;
+}
+static_assert(supports_are_in_order());
+
+}  // namespace
+
+const Support& support_of(const Scenario& scenario) {
+  return *std::ranges::find_if(kSupports, [&](const Support& support) { return support.carries(scenario); });
+}
+
+}  // namespace earthtop
