@@ -7,7 +7,7 @@
 
 namespace earthtop {
 
-void on_table::add_figures(TopFigures& top, const Scene& scene, double cosine) {
+void TableLaws::add_figures(TopFigures& top, const Scene& scene, double cosine) const {
   const Contact<double>& contact = scene.table<double>().contact;
   const bool may_be_steady = contact.law == ContactLaw::frictionless || contact.law == ContactLaw::rolling;
   const bool is_level = scene.scenario().contact->table_tilt_deg == 0;

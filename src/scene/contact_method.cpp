@@ -22,11 +22,11 @@ std::pair<std::string_view, std::string_view> stiff_motion(std::string_view poin
 
 }  // namespace
 
-ModelForm on_table::form(const Scene& scene, const IntegrationOptions& options) {
+ModelForm TableLaws::form(const Scene& scene, const IntegrationOptions& options) const {
   return scene.symmetry_axis() == 2 && options.form != ModelForm::general ? ModelForm::reduced : ModelForm::general;
 }
 
-std::optional<std::string> on_table::refuse_general(const MethodRow& row, const Scene& scene) {
+std::optional<std::string> TableLaws::refuse_general(const MethodRow& row, const Scene& scene) const {
   const bool runge_kutta = scene.scenario().precision == Precision::bits53;
   const Method method = row.method;
   if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation ||
@@ -37,7 +37,7 @@ std::optional<std::string> on_table::refuse_general(const MethodRow& row, const 
                      runge_kutta ? " or \"rkf78\"" : "");
 }
 
-MethodChoice on_table::choose_method(const Scene& scene) {
+MethodChoice TableLaws::choose_method(const Scene& scene) const {
   IntegrationOptions options = scene.scenario().numerics;
   options.form = scene.form(options);
   if (options.method != Method::automatic) return {options, "asked for"};
@@ -50,7 +50,8 @@ MethodChoice on_table::choose_method(const Scene& scene) {
                        : "a body on a table: Taylor series take the fewest operations"};
 }
 
-IntegrationOptions on_table::second_options(const Scene& scene, const IntegrationOptions& first, IntegrationOptions second) {
+IntegrationOptions TableLaws::second_options(const Scene& scene, const IntegrationOptions& first,
+                                             IntegrationOptions second) const {
   // In inertial axes no Coriolis term appears: of all checks on a table this is the least like the laboratory's equations.
   second.observer = first.observer == Observer::inertial ? Observer::laboratory : Observer::inertial;
   second.method = Method::taylor;
@@ -62,13 +63,13 @@ IntegrationOptions on_table::second_options(const Scene& scene, const Integratio
   return second;
 }
 
-double on_table::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) {
+double TableLaws::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const {
   const bool reduced = scene.form(options) == ModelForm::reduced;
   const double without_spin = options.method == Method::taylor ? 1.2e-6 : 5e-7, in_laboratory = reduced ? without_spin : 2e-6;
   return options.observer == Observer::inertial ? 1.5 * in_laboratory : in_laboratory;
 }
 
-std::string on_table::too_stiff(const Scene& scene, const std::string& work) {
+std::string TableLaws::too_stiff(const Scene& scene, const std::string& work) const {
   const StiffFriction& stiffest = scene.stiffest_friction();
   const auto [what, instead] = stiff_motion(stiffest.pointer);
   return fmt::format(

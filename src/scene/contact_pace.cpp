@@ -79,20 +79,20 @@ double slip_damping(const Scene& scene, const OnTable& top, double rate) {
 
 }  // namespace
 
-void on_table::fit_units(const Scene& scene, NaturalUnits& units) {
+void TableLaws::fit_units(const Scene& scene, NaturalUnits& units) const {
   // A ball has no pendulum: its tip may slide, and it falls off a tilted table, without a rate at release.
   int rate_exponent = 0;
   std::frexp(OnTable(scene).falling_rate(), &rate_exponent);
   units.time_exponent = std::min(units.time_exponent, -rate_exponent);
 }
 
-double on_table::fastest_rate(const Scene& scene) {
+double TableLaws::fastest_rate(const Scene& scene) const {
   const OnTable top(scene);
   const double falling = 2 * std::sqrt(top.mass * top.gravity * top.lever / top.least);
   return std::max(top.momentum / top.least + falling + top.earth_rate(scene), 1 / scene.scenario().duration_s);
 }
 
-Paced on_table::paced(const Scene& scene) {
+Paced TableLaws::paced(const Scene& scene) const {
   constexpr double kUnknownRelaxation = 1e5;  // 1/s: of a law with a corner where the slip ends
   const ContactSpec& spec = *scene.scenario().contact;
   const OnTable top(scene);

@@ -7,7 +7,7 @@
 namespace earthtop {
 
 template <class T>
-TableProblem<T> on_table::make_table(const Scene& scene) {
+TableProblem<T> table_of(const Scene& scene) {
   const ContactSpec& spec = *scene.scenario().contact;
   const EffectsSpec& effects = scene.scenario().effects;
   const auto& gradient = effects.applied.gravity_gradient;
@@ -18,8 +18,8 @@ TableProblem<T> on_table::make_table(const Scene& scene) {
   table.static_coefficient = spec.static_coefficient;
   return table;
 }
-template TableProblem<double> on_table::make_table(const Scene&);
-template TableProblem<long double> on_table::make_table(const Scene&);
-template TableProblem<float128> on_table::make_table(const Scene&);
+template TableProblem<double> table_of(const Scene&);
+template TableProblem<long double> table_of(const Scene&);
+template TableProblem<float128> table_of(const Scene&);
 
 }  // namespace earthtop

@@ -10,7 +10,7 @@
 
 namespace earthtop {
 
-void on_pivot::check_platform(const input::Section& root, const Scene& scene) {
+void PlatformLaws::check(const input::Section& root, const Scene& scene) const {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   const auto refuse = [&](const char* key) {
     root.section("effects").refuse_key(key, "is not available on a platform; leave one of the two out");
@@ -20,7 +20,7 @@ void on_pivot::check_platform(const input::Section& root, const Scene& scene) {
 }
 
 /// Checks that a gimbal that holds the axis level gets an axis that is level and a rate that keeps it level.
-void on_pivot::check_gimbal(const input::Section& root, const Scene& scene) {
+void GimbalLaws::check(const input::Section& root, const Scene& scene) const {
   const input::Section effects = root.section("effects");
   constexpr double kLevel = 1e-12;
   const Scenario& scenario = scene.scenario();

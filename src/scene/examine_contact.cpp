@@ -157,7 +157,7 @@ void check_relaxation(const Section& contact, const Touchdown& touchdown) {
 
 }  // namespace
 
-void on_table::check(const Section& root, const Scene& scene) {
+void TableLaws::check(const Section& root, const Scene& scene) const {
   const Section contact = root.section("contact");
   const ContactSpec& spec = *scene.scenario().contact;
   if (!check_moments(root.section("body"), scene)) return;
@@ -181,7 +181,7 @@ void on_table::check(const Section& root, const Scene& scene) {
   check_relaxation(contact, touchdown);
 }
 
-void on_table::warn(const Section& root, const Scene& scene) {
+void TableLaws::warn(const Section& root, const Scene& scene) const {
   const Section contact = root.section("contact");
   const ContactSpec& spec = *scene.scenario().contact;
   const Body<double>& body = scene.body<double>();

@@ -50,14 +50,14 @@ IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& 
 
 }  // namespace
 
-double on_pivot::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) {
+double PivotLaws::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const {
   constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
   const bool reduced = scene.form(options) == ModelForm::reduced;
   if (options.method == Method::taylor && !scene.is_plain()) return reduced ? kDrivenOrder : kGeneralOrder;
   return reduced ? kReduced : general_evaluation_seconds(scene);
 }
 
-void on_pivot::take_series_form(const Scene& scene, IntegrationOptions& series) {
+void PivotLaws::take_series_form(const Scene& scene, IntegrationOptions& series) const {
   series.observer = Observer::laboratory;
   series.form = ModelForm::automatic;
   if (scene.form(series) != ModelForm::reduced) series.observer = Observer::body, series.form = ModelForm::general;

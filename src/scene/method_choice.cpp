@@ -54,7 +54,7 @@ bool has_long_horizon(const Scene& given) {
 
 }  // namespace
 
-MethodChoice on_pivot::choose_method(const Scene& scene) {
+MethodChoice PivotLaws::choose_method(const Scene& scene) const {
   const Scenario& scenario = scene.scenario();
   IntegrationOptions asked = scenario.numerics;
   const bool series = !scene.method_refusal(Method::taylor);
@@ -99,7 +99,7 @@ MethodChoice on_pivot::choose_method(const Scene& scene) {
   return {options, "Taylor series of the equations in body axes take the fewest operations"};
 }
 
-ModelForm on_pivot::form(const Scene& scene, const IntegrationOptions& options) {
+ModelForm PivotLaws::form(const Scene& scene, const IntegrationOptions& options) const {
   const bool reducible = scene.is_reducible() || (options.method == Method::taylor && scene.is_reducible_when_driven());
   return takes_reduced_form(reducible, options) ? ModelForm::reduced : ModelForm::general;
 }

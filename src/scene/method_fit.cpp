@@ -95,7 +95,7 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
 }  // namespace
 
 /// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
-std::optional<std::string> on_pivot::refuse_smooth(const MethodRow& row, const Scene& scene) {
+std::optional<std::string> PivotLaws::refuse_smooth(const MethodRow& row, const Scene& scene) const {
   if (auto reason = need_all_torques(row.word, scene)) return reason;
   const double w3 = scene.release<double>().w_XB_B[2];
   const auto torques = make_applied_torques<double>(scene.scenario().effects.applied, scene.site(), w3, 0, 0);

@@ -226,7 +226,7 @@ PlatformDemand demand_of(const Scene& scene) {
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
-double on_pivot::fastest_rate(const Scene& scene) {
+double PivotLaws::fastest_rate(const Scene& scene) const {
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
@@ -237,7 +237,7 @@ double on_pivot::fastest_rate(const Scene& scene) {
   return std::max(rate, 1 / scene.scenario().duration_s);
 }
 
-Paced on_pivot::paced(const Scene& scene) {
+Paced PivotLaws::paced(const Scene& scene) const {
   const Scenario& scenario = scene.scenario();
   const Driven driven(scene);
   const FrictionPace friction = driven.friction(scene);

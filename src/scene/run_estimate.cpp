@@ -41,7 +41,7 @@ double picture_looks(const Scene& scene) {
 
 }  // namespace
 
-Work on_pivot::growth_work(const Scene& scene) {
+Work PivotLaws::growth_work(const Scene& scene) const {
   MotionProblem<double> problem = scene.problem<double>();
   const auto tolerance = growth_tolerance(problem, scene.scenario().duration_s);
   if (!tolerance) return {};
@@ -91,7 +91,7 @@ std::string about_seconds(double seconds, double limit_s) {
   return in(86400, "days");
 }
 
-std::string on_pivot::too_stiff(const Scene& scene, const std::string& work) {
+std::string PivotLaws::too_stiff(const Scene& scene, const std::string& work) const {
   const StiffFriction& stiffest = scene.stiffest_friction();
   return fmt::format(
       "this friction is too stiff: it damps at about {:.1e} 1/s (coefficient over moment of inertia), {:.1e} time "

@@ -14,7 +14,8 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
   return laws_of(scene).second_options(scene, first, second);
 }
 
-IntegrationOptions on_pivot::second_options(const Scene& scene, const IntegrationOptions& first, IntegrationOptions second) {
+IntegrationOptions PivotLaws::second_options(const Scene& scene, const IntegrationOptions& first,
+                                             IntegrationOptions second) const {
   const Scenario& scenario = scene.scenario();
   const Precision precision = scenario.precision;
   const Observer other =

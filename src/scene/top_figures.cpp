@@ -185,7 +185,7 @@ TopFigures top_figures_of(const Scene& scene) {
   return top;
 }
 
-void on_pivot::add_figures(TopFigures& top, const Scene& scene, double cosine) {
+void PivotLaws::add_figures(TopFigures& top, const Scene& scene, double cosine) const {
   if (const std::string_view why = why_not_a_top_on_a_pivot(scene.scenario()); !why.empty()) {
     top.left_out.emplace_back(why);
     return;
