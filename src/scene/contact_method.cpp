@@ -26,7 +26,8 @@ ModelForm TableLaws::form(const Scene& scene, const IntegrationOptions& options)
   return scene.symmetry_axis() == 2 && options.form != ModelForm::general ? ModelForm::reduced : ModelForm::general;
 }
 
-std::optional<std::string> TableLaws::refuse_general(const MethodRow& row, const Scene& scene) const {
+/// Its series exist without one of [F]'s torques, too: its equations weigh force and torque in every formulation.
+std::optional<std::string> TableLaws::refuse(const MethodRow& row, const Scene& scene) const {
   const bool runge_kutta = scene.scenario().precision == Precision::bits53;
   const Method method = row.method;
   if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation ||

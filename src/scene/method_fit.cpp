@@ -95,7 +95,8 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
 }  // namespace
 
 /// Refuses a scene without one of the torques of [F], or whose friction has a corner on the way, where no series exists.
-std::optional<std::string> PivotLaws::refuse_smooth(const MethodRow& row, const Scene& scene) const {
+std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& scene) const {
+  if (row.fit != MethodFit::smooth) return std::nullopt;
   if (auto reason = need_all_torques(row.word, scene)) return reason;
   const double w3 = scene.release<double>().w_XB_B[2];
   const auto torques = make_applied_torques<double>(scene.scenario().effects.applied, scene.site(), w3, 0, 0);
@@ -134,8 +135,8 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene) {
         "with dry friction a motion comes to rest within a step, which only {} find; take one of them, or \"auto\"", finders);
   }
   switch (row.fit) {
-    case MethodFit::any: return laws_of(scene).refuse_general(row, scene);
-    case MethodFit::smooth: return laws_of(scene).refuse_smooth(row, scene);
+    case MethodFit::any:
+    case MethodFit::smooth: return laws_of(scene).refuse(row, scene);
     case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
     case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);
     case MethodFit::closed_form: return need_closed_form(row.word, scene);

@@ -34,9 +34,8 @@ class PivotLaws {
                                             IntegrationOptions second) const;
   /// Sets observer and form to those in which series take the fewest operations.
   virtual void take_series_form(const Scene& scene, IntegrationOptions& series) const;
-  /// Refuse methods that are built for any body on a pivot, and those that need a smooth motion.
-  virtual std::optional<std::string> refuse_general(const MethodRow&, const Scene&) const { return {}; }
-  virtual std::optional<std::string> refuse_smooth(const MethodRow& row, const Scene& scene) const;
+  /// Says why a method for any body, or for any smooth motion, is not available; empty if it is.
+  virtual std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const;
 
   /// The time (s) of one evaluation in double.
   virtual double evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const;
@@ -65,9 +64,7 @@ struct TableLaws final : PivotLaws {
   MethodChoice choose_method(const Scene& scene) const override;
   IntegrationOptions second_options(const Scene&, const IntegrationOptions& first, IntegrationOptions second) const override;
   void take_series_form(const Scene&, IntegrationOptions&) const override {}
-  std::optional<std::string> refuse_general(const MethodRow& row, const Scene& scene) const override;
-  /// Its equations weigh force and torque in every formulation.
-  std::optional<std::string> refuse_smooth(const MethodRow&, const Scene&) const override { return {}; }
+  std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
   double evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const override;
   Work growth_work(const Scene&) const override { return {}; }
   std::string too_stiff(const Scene& scene, const std::string& work) const override;
