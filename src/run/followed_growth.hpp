@@ -27,8 +27,8 @@ struct GrowthFound {
   std::optional<VerdictReport> settled{};  ///< the verdict, where no growth had to be followed
   FollowedGrowth growth{};
   bool is_integrable = false;
-  bool contracts =
-      false;  ///< whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart
+  /// Whether friction takes energy: neighbouring motions then come together wherever nothing drives them apart.
+  bool contracts = false;
 };
 
 }  // namespace earthtop

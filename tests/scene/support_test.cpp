@@ -15,7 +15,9 @@ namespace {
 
 using testing::changed;
 
-void ask_for_table(Scenario& s) { s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling}; }
+void ask_for_table(Scenario& s) {
+  s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
+}
 void ask_for_platform(Scenario& s) { s.platform.emplace().rate_rad_s = 0.1; }
 void ask_for_gimbal(Scenario& s) { s.effects.applied.gimbal.emplace(), s.release.tilt_deg = 90; }
 
@@ -64,6 +66,27 @@ TEST(Support, OnlyAFixedPivotHasExactMotions) {
         break;
       case SupportKind::pivot: EXPECT_EQ(said, "");
     }
+  }
+}
+
+// Dry friction of the pivot stops a motion: neither a platform nor a gimbal has the equations for that, and a table has no pivot.
+TEST(Support, ItsChecksAreItsOwn) {
+  constexpr std::string_view kSaid[] = {
+      "is not available with /contact: it is friction of a fixed pivot, a torque without a force; a tip's friction is "
+      "/contact/law, "
+      "spinning_friction_m and rolling_resistance_m; leave one of the two out",
+      "is not available on a platform; leave one of the two out",
+      "is not available with a gimbal; give the gimbal a damping instead", ""};
+  for (const Asked& asked : kAsked) {
+    Scenario scenario = testing::toy_top();
+    asked.ask(scenario);
+    scenario.effects.applied.coulomb_N_m = 1e-6;
+    const ScenarioReport report = examine_scenario({"top.json", canonical_json(scenario)});
+    const std::string_view said = kSaid[static_cast<std::size_t>(asked.kind)];
+    ASSERT_EQ(report.error_count, said.empty() ? 0 : 1) << asked.pointer;
+    if (said.empty()) continue;
+    EXPECT_EQ(report.errors.front().pointer, "/effects/coulomb_torque_N_m") << asked.pointer;
+    EXPECT_EQ(report.errors.front().message, said);
   }
 }
 
