@@ -7,19 +7,19 @@
 namespace earthtop {
 
 template <class T>
-TableProblem<T> table_of(const Scene& scene) {
+TableProblem<T> table_of(const Scene& scene, const Body<T>& body) {
   const ContactSpec& spec = *scene.scenario().contact;
   const EffectsSpec& effects = scene.scenario().effects;
   const auto& gradient = effects.applied.gravity_gradient;
   TableProblem<T> table;
-  table.contact = make_contact<T>(spec, scene.body<T>(), scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr);
+  table.contact = make_contact<T>(spec, body, scene.site(), weights_of<T>(effects), gradient ? &*gradient : nullptr);
   table.start = make_contact_release<T>(spec, {});
   if (spec.max_tilt_deg) table.max_tilt_rad = *spec.max_tilt_deg * std::numbers::pi / 180;
   table.static_coefficient = spec.static_coefficient;
   return table;
 }
-template TableProblem<double> table_of(const Scene&);
-template TableProblem<long double> table_of(const Scene&);
-template TableProblem<float128> table_of(const Scene&);
+template TableProblem<double> table_of(const Scene&, const Body<double>&);
+template TableProblem<long double> table_of(const Scene&, const Body<long double>&);
+template TableProblem<float128> table_of(const Scene&, const Body<float128>&);
 
 }  // namespace earthtop

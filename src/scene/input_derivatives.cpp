@@ -7,7 +7,7 @@
 
 #include "drift/derivatives/problem_derivative.hpp"
 #include "scene/moved_input.hpp"
-#include "scene/parts.hpp"
+#include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
@@ -33,7 +33,7 @@ Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128&
     Numbers numbers{make_model<float128>(body, scene.site(), scene.rotation_rate_rad_s(), {}, nullptr, scene.units()),
                     contact ? make_release_on_table<float128>(release, *contact, body, scene.site())
                             : make_release<float128>(release, body, float128(scene.site().gravity_m_s2))};
-    if (contact) numbers.table = table_of<float128>(scene, body, scene.units());
+    if (contact) numbers.table = in_units(table_of(scene, body), scene.units());
     return numbers;
   }
   MovedScenario moved = with_moved_input(scene, input, step);
@@ -41,7 +41,7 @@ Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128&
   moved.scenario.effects.tide.reset();  // its own dependence on the latitude is left out: 1e-7 of gravity's
   const Scene at = resolve(std::move(moved.scenario));
   Numbers numbers{model_of<float128>(at, scene.units()), at.release<float128>()};
-  if (at.scenario().contact) numbers.table = table_of<float128>(at, at.body<float128>(), scene.units());
+  if (at.scenario().contact) numbers.table = in_units(at.table<float128>(), scene.units());
   if (const auto& gradient = at.scenario().effects.applied.gravity_gradient)
     numbers.gradient_L = gradient_L(*gradient, at.site());
   return numbers;

@@ -26,10 +26,6 @@ DriftProblem<T> problem_of(const Scene& scene);
 extern template DriftProblem<double> problem_of(const Scene&);
 extern template DriftProblem<long double> problem_of(const Scene&);
 extern template DriftProblem<float128> problem_of(const Scene&);
-/// The table of a scene that has one.   @param body  that of the scene, or one beside it
-template <class T>
-TableProblem<T> table_of(const Scene& scene, const Body<T>& body, const NaturalUnits& units);
-extern template TableProblem<float128> table_of(const Scene&, const Body<float128>&, const NaturalUnits&);
 
 // top_figures.cpp: the figures of the body and of its motion without Earth rotation.
 TopFigures top_figures_of(const Scene& scene);

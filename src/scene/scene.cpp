@@ -103,7 +103,7 @@ const Release<T>& Scene::release() const {
 }
 template <class T>
 const TableProblem<T>& Scene::table() const {
-  return parts_->in<T>().table.get([this] { return table_of<T>(*this); });
+  return parts_->in<T>().table.get([this] { return table_of(*this, body<T>()); });
 }
 template <class T>
 const Model<T>& Scene::model() const {

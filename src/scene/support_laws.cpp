@@ -16,8 +16,7 @@ constexpr LawsIn<T> kTable{
       return make_release_on_table(scene.scenario().release, scene.table<T>().contact, scene.body<T>(), scene.site());
     },
     [](const Scene& scene, DriftProblem<T>& problem) {
-      TableProblem<T>& table = problem.table.emplace(scene.table<T>());
-      table.contact = in_units(table.contact, problem.units), table.start = in_units(table.start, problem.units);
+      problem.table = in_units(scene.table<T>(), problem.units);
     }};
 
 template <class T>

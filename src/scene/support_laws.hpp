@@ -82,8 +82,14 @@ struct LawsIn {
 template <class T>
 const LawsIn<T>& laws_in(const Scene& scene);
 
-/// Makes Scene::table.
+/// Makes the table of a scene that has one, in SI units.   @param body  that of the scene, or one beside it
 template <class T>
-TableProblem<T> table_of(const Scene& scene);
+TableProblem<T> table_of(const Scene& scene, const Body<T>& body);
+/// Takes it to natural units.
+template <class T>
+TableProblem<T> in_units(TableProblem<T> table, const NaturalUnits& units) {
+  table.contact = in_units(table.contact, units), table.start = in_units(table.start, units);
+  return table;
+}
 
 }  // namespace earthtop
