@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "earthtop/scenario/inputs.hpp"
 #include "run/difference_sensitivities.hpp"
 #include "run/sensitivities.hpp"
 #include "scene/sensitivity_route.hpp"
