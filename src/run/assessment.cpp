@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/assessment.hpp"
 
-#include <cmath>
-
-#include "earthtop/model/invariants.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
 #include "run/ledger_report.hpp"
@@ -23,28 +20,12 @@ Vec3<T> vector(const std::array<T, 3>& v) {
 template <class T>
 std::vector<InvariantReport> follow_invariants(const Scene& scene, const std::vector<BasicDriftRow<T>>& rows,
                                                const Watch& watch) {
-  const Body<T>& body = scene.body<T>();
-  const Vec3<T> mass_moment_B = body.mass * body.p_PBcm_B;
-  const Vec3<T> gravity_L = apparent_gravity_L<T>(scene.site());
-  const Vec3<T> W_L = T(scene.rotation_rate_rad_s()) * celestial_axis_L<T>(scene.site());
-  const int axis = symmetry_axis(body);
-  InvariantFollower<T> jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s");
-  for (const BasicDriftRow<T>& row : rows) {
-    if (watch.asks_to_stop()) break;
-    const Quaternion<T> q = quaternion(row.q_LB);
-    const Vec3<T> w_LB_B = vector(row.w_LB_B);
-    const auto J = jacobi_integral(body.I_BP_B, mass_moment_B, gravity_L, W_L, q, w_LB_B);
-    jacobi.include(J.value, J.scale);
-    const auto E = jacobi_integral<T>(body.I_BP_B, mass_moment_B, gravity_L, Vec3<T>::Zero(), quaternion(row.ref_q_LB),
-                                      vector(row.ref_w_LB_B));
-    energy.include(E.value, E.scale);
-    if (axis >= 0) {
-      const T w = w_LB_B[axis] + transposed_times(rotation_matrix(q), W_L)[axis];
-      spin.include(w, std::max(real::abs(w), norm(w_LB_B)));
-    }
-  }
-  std::vector<InvariantReport> reports{jacobi.report(), energy.report()};
-  if (axis >= 0) reports.push_back(spin.report());
+  const Model<T>& model = scene.model<T>();
+  const int axis = symmetry_axis(scene.body<T>());
+  std::vector<InvariantReport> reports;
+  for (const ConservedQuantity<T>& quantity : kConserved<T>)
+    if (quantity.holds_on_pivot != nullptr && quantity.holds_on_pivot(axis))
+      reports.push_back(followed_on_pivot(quantity, model, rows, watch));
   return reports;
 }
 
@@ -57,7 +38,7 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
     if (watch.asks_to_stop()) break;
     if (ledger.size() % 64 == 0) watch.reach(static_cast<double>(ledger.size()) / static_cast<double>(rows.size()));
     ledger.push_back(
-        ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion(row.q_LB), vector(row.w_LB_B))));
+        ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion_of(row.q_LB), vector_of(row.w_LB_B))));
   }
   return ledger;
 }

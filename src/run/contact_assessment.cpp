@@ -2,7 +2,6 @@
 #include "run/contact_assessment.hpp"
 
 #include "drift/table/contact_integrals.hpp"
-#include "earthtop/model/contact_invariants.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "run/invariant_follower.hpp"
 #include "run/ledger_report.hpp"
@@ -10,29 +9,17 @@
 namespace earthtop {
 namespace {
 
-/// Which quantities a scene conserves.
-struct Conserved {
-  bool energy, spin, jellett, routh;
+TableConditions conditions(const Scene& scene, bool symmetric) {
+  const EffectsSpec& effects = scene.scenario().effects;
+  const bool alone = effects.all_on() && !effects.tide && !effects.applied.gravity_gradient;
+  return {*scene.scenario().contact, symmetric, alone};
+}
 
-  /// @param symmetric  whether the body is symmetric about axis 3
-  Conserved(const Scene& scene, bool symmetric) {
-    const ContactSpec& spec = *scene.scenario().contact;
-    const EffectsSpec& effects = scene.scenario().effects;
-    const bool moments = spec.spinning_friction_m > 0 || spec.rolling_resistance_m > 0 || spec.law == ContactLaw::contensou;
-    const bool alone = effects.all_on() && !effects.tide && !effects.applied.gravity_gradient;
-    energy = alone && !moments && (spec.law == ContactLaw::frictionless || spec.law == ContactLaw::rolling);
-    spin = alone && symmetric && !moments && (spec.law == ContactLaw::frictionless || spec.tip_radius_m == 0);
-    jellett = alone && symmetric && !moments;
-    // On a tilted table gravity is not along the normal.
-    routh = jellett && spec.law == ContactLaw::rolling && spec.table_tilt_deg == 0;
-  }
-};
-
-/// The conserved quantities of one motion, in natural units.
+/// One of the two motions on a table, in natural units.
 template <class T>
-class MotionInvariants {
+class MotionOnTable {
  public:
-  MotionInvariants(const DriftProblem<T>& problem, bool rotating)
+  MotionOnTable(const DriftProblem<T>& problem, bool rotating)
       : problem_(problem),
         rotating_(rotating),
         R_LH_(rotation_matrix(problem.table->start.q_LH)),
@@ -41,38 +28,23 @@ class MotionInvariants {
     around_ = {Vec3<T>::UnitZ(), model.apparent_gravity_L, rotating ? model.W_IL_L : Vec3<T>(Vec3<T>::Zero()), Mat3<T>::Zero()};
   }
 
-  ContactJacobi<T> jacobi(const DriftSample<T>& sample) const {
-    const Contact<T>& c = contact();
-    const Mat3<T> R_HB = R_LH_.transpose() * rotation_matrix(q_LB(sample));
-    const Vec3<T> w = rate(sample), r_c = times(R_HB, c.p_OC_B), z = Vec3<T>::UnitZ();
-    const Vec3<T> v_O = in_H(sample.contact->slip_L) + c.tip_radius * Vec3<T>(w.cross(z));
-    const Vec3<T> p_C = in_H(sample.contact->tip_L) + c.tip_radius * z + r_c;
-    return contact_jacobi(c, around_, turned_tensor(R_HB, c.I_BC_B), w, p_C, Vec3<T>(v_O + Vec3<T>(w.cross(r_c))));
+  InstantOnTable<T> at(const DriftSample<T>& sample) const {
+    const DriftState<T>& state = sample.state;
+    const Mat3<T> R_LB = rotation_matrix((rotating_ ? state.q_LB : state.ref_q_LB).normalized());
+    const Vec3<T> w_LB_B = problem_.units.rate_from_rad_s(rotating_ ? state.w_LB_B : state.ref_w_LB_B);
+    return {problem_.table->contact,
+            around_,
+            R_LH_.transpose() * R_LB,
+            transposed_times(R_LH_, Vec3<T>(times(R_LB, w_LB_B))),
+            norm(w_LB_B),
+            in_H(sample.contact->axis_L),
+            sample.contact->spin.*member_,
+            in_H(sample.contact->slip_L),
+            in_H(sample.contact->tip_L)};
   }
-  T spin(const DriftSample<T>& sample) const { return sample.contact->spin.*member_; }
-  T jellett(const DriftSample<T>& sample) const { return earthtop::jellett(contact(), around_, reduced(sample)); }
-  T routh(const DriftSample<T>& sample) const { return earthtop::routh(contact(), around_, reduced(sample)); }
 
  private:
-  const Contact<T>& contact() const { return problem_.table->contact; }
-  Quaternion<T> q_LB(const DriftSample<T>& sample) const {
-    return (rotating_ ? sample.state.q_LB : sample.state.ref_q_LB).normalized();
-  }
   Vec3<T> in_H(const Vec3<Paired<T>>& v_L) const { return transposed_times(R_LH_, motion_of(v_L, member_)); }
-  /// The rate relative to the laboratory.
-  Vec3<T> rate(const DriftSample<T>& sample) const {
-    const Vec3<T> w_LB_B = problem_.units.rate_from_rad_s(rotating_ ? sample.state.w_LB_B : sample.state.ref_w_LB_B);
-    return transposed_times(R_LH_, Vec3<T>(times(rotation_matrix(q_LB(sample)), w_LB_B)));
-  }
-  ReducedContactState<T> reduced(const DriftSample<T>& sample) const {
-    ReducedContactState<T> x;
-    x.n = in_H(sample.contact->axis_L);
-    const Vec3<T> w_IB = rate(sample) + around_.W;
-    x.w3 = spin(sample);
-    x.u = w_IB - inner(w_IB, x.n) * x.n;
-    x.v_P = in_H(sample.contact->slip_L), x.p_O = in_H(sample.contact->tip_L);
-    return x;
-  }
 
   const DriftProblem<T>& problem_;
   bool rotating_;
@@ -87,43 +59,20 @@ template <class T>
 std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const std::vector<DriftSample<T>>& samples,
                                                        std::size_t rows, const Watch& watch) {
   const DriftProblem<T>& problem = scene.problem<T>();
-  const Contact<T>& contact = problem.table->contact;
-  const Conserved conserved(scene, is_symmetric(contact));
-  const MotionInvariants<T> rotating(problem, true), reference(problem, false);
-  const NaturalUnits& units = problem.units;
-  const auto joules = [&](T x) { return real::scale(x, units.mass_exponent - 2 * units.time_exponent); };
-  const auto momentum = [&](T x) { return real::scale(x, units.mass_exponent - units.time_exponent); };
-  InvariantFollower<T> jacobi("jacobi_integral", "J"), energy("reference_energy", "J"), spin("inertial_spin", "rad/s"),
-      jellett("reference_jellett_integral", "kg m^3/s"), routh("reference_routh_integral", "kg m^2 rad/s");
-  const auto include_energy = [&](InvariantFollower<T>& follower, const ContactJacobi<T>& J) {
-    follower.include(joules(J.value), joules(J.kinetic + real::abs(J.potential)));
-  };
-  const T length = contact.tip_radius + real::abs(contact.height_of_center);
-  for (std::size_t i = 0; i < std::min(rows, samples.size()); ++i) {
-    if (watch.asks_to_stop()) break;
-    const DriftSample<T>& sample = samples[i];
-    if (conserved.energy) {
-      include_energy(jacobi, rotating.jacobi(sample));
-      include_energy(energy, reference.jacobi(sample));
-    }
-    if (conserved.spin) {
-      const T w3 = units.rate_to_rad_s(rotating.spin(sample));
-      spin.include(w3, std::max(real::abs(w3), norm(sample.state.w_LB_B)));
-    }
-    if (conserved.jellett) {
-      const T w = units.rate_from_rad_s(norm(sample.state.ref_w_LB_B));
-      jellett.include(momentum(reference.jellett(sample)), momentum(std::max(contact.I1, contact.I3) * w * length));
-    }
-    if (conserved.routh) {
-      const T value = units.rate_to_rad_s(real::scale(reference.routh(sample), units.mass_exponent));
-      routh.include(value, real::abs(value));
-    }
-  }
+  const TableConditions table = conditions(scene, is_symmetric(problem.table->contact));
+  const MotionOnTable<T> rotating(problem, true), reference(problem, false);
   std::vector<InvariantReport> reports;
-  if (conserved.energy) reports.push_back(jacobi.report()), reports.push_back(energy.report());
-  if (conserved.spin) reports.push_back(spin.report());
-  if (conserved.jellett) reports.push_back(jellett.report());
-  if (conserved.routh) reports.push_back(routh.report());
+  for (const ConservedQuantity<T>& quantity : kConserved<T>) {
+    if (quantity.holds_on_table == nullptr || !quantity.holds_on_table(table)) continue;
+    const MotionOnTable<T>& motion = quantity.motion == ConservingMotion::rotating ? rotating : reference;
+    const int exponent = quantity.mass_power * problem.units.mass_exponent - quantity.rate_power * problem.units.time_exponent;
+    InvariantFollower<T> follower(quantity);
+    for (std::size_t i = 0; i < std::min(rows, samples.size()) && !watch.asks_to_stop(); ++i) {
+      const ConservedValue<T> now = quantity.on_table(motion.at(samples[i]));
+      follower.include({real::scale(now.value, exponent), real::scale(now.scale, exponent)});
+    }
+    reports.push_back(follower.report());
+  }
   return reports;
 }
 
@@ -143,23 +92,23 @@ std::array<ContactBalances, 2> assess_contact_balances(const Scene& scene, const
     return ContactBalance{plain(at_first), plain(at_last), plain(integral), plain(at_last - at_first - integral), plain(size)};
   };
   for (const bool rotates : {true, false}) {
-    const MotionInvariants<T> motion(problem, rotates);
+    const MotionOnTable<T> motion(problem, rotates);
+    const InstantOnTable<T> at_first = motion.at(first), at_last = motion.at(last);
     const std::size_t number = rotates ? 1 : 0;
     const ContactIntegrals<T>&from = (*first.contact->integrals)[number], &to = (*last.contact->integrals)[number];
     ContactBalances& balance = balances[rotates ? 0 : 1];
     if (from.jellett_change && to.jellett_change) {
       const Contact<T>& c = problem.table->contact;
-      const T spin = std::max(real::abs(motion.spin(first)), real::abs(motion.spin(last)));
+      const T spin = std::max(real::abs(at_first.spin), real::abs(at_last.spin));
       const T size = std::max(c.I1, c.I3) * std::max(spin, norm(problem.units.rate_from_rad_s(first.state.ref_w_LB_B))) *
                      (c.tip_radius + real::abs(c.height_of_center));
-      balance.jellett = made(motion.jellett(first), motion.jellett(last), *to.jellett_change - *from.jellett_change, size,
-                             units.mass_exponent - units.time_exponent);
+      balance.jellett = made(conserved::jellett(at_first).value, conserved::jellett(at_last).value,
+                             *to.jellett_change - *from.jellett_change, size, units.mass_exponent - units.time_exponent);
     }
     if (effects.tide) continue;
-    const ContactJacobi<T> J_first = motion.jacobi(first), J_last = motion.jacobi(last);
-    const T size = std::max(J_first.kinetic + real::abs(J_first.potential), J_last.kinetic + real::abs(J_last.potential));
-    balance.jacobi =
-        made(J_first.value, J_last.value, to.work - from.work, size, units.mass_exponent - 2 * units.time_exponent);
+    const ConservedValue<T> J_first = conserved::jacobi(at_first), J_last = conserved::jacobi(at_last);
+    balance.jacobi = made(J_first.value, J_last.value, to.work - from.work, std::max(J_first.scale, J_last.scale),
+                          units.mass_exponent - 2 * units.time_exponent);
   }
   return balances;
 }

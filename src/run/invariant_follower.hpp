@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Follows what a motion conserves over the rows of a run.
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <utility>
+#include <string_view>
+#include <vector>
 
+#include "earthtop/model/conserved.hpp"
 #include "earthtop/real.hpp"
 #include "earthtop/run.hpp"
+#include "run/row_vectors.hpp"
 
 namespace earthtop {
 
@@ -14,13 +17,15 @@ namespace earthtop {
 template <class T>
 class InvariantFollower {
  public:
-  InvariantFollower(std::string name, std::string unit) { report_.name = std::move(name), report_.unit = std::move(unit); }
-  void include(T value, T scale) {
-    if (first_) initial_ = value;
+  explicit InvariantFollower(const ConservedQuantity<T>& quantity) {
+    report_.name = quantity.name, report_.unit = quantity.unit;
+  }
+  void include(const ConservedValue<T>& now) {
+    if (first_) initial_ = now.value;
     first_ = false;
-    const T change = real::abs(value - initial_);
+    const T change = real::abs(now.value - initial_);
     if (!(change <= largest_change_)) largest_change_ = change;  // also where it is no number
-    scale_ = std::max(scale_, scale);
+    scale_ = std::max(scale_, now.scale);
   }
   InvariantReport report() const {
     InvariantReport report = report_;
@@ -35,5 +40,22 @@ class InvariantFollower {
   T initial_ = T(0), largest_change_ = T(0), scale_ = T(0);
   bool first_ = true;
 };
+
+/// @param quantity  must have a meaning on a pivot   @param model  in SI units
+template <class T>
+InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Model<T>& model,
+                                  const std::vector<BasicDriftRow<T>>& rows, const Watch& watch = {}) {
+  const bool vertical = model.W_IL_L[0] == T(0) && model.W_IL_L[1] == T(0);
+  const bool rotating =
+      quantity.motion == ConservingMotion::rotating || (quantity.motion == ConservingMotion::about_up && vertical);
+  InvariantFollower<T> follower(quantity);
+  for (const BasicDriftRow<T>& row : rows) {
+    if (watch.asks_to_stop()) break;
+    follower.include(quantity.on_pivot(
+        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B)}
+                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B)}));
+  }
+  return follower.report();
+}
 
 }  // namespace earthtop

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "drift/row_quantities.hpp"
+#include "earthtop/model/conserved.hpp"
 
 namespace earthtop::scenario {
 
@@ -81,10 +82,22 @@ inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
 inline constexpr std::string_view kInertialSpins = "inertial_spin_rad_s|ref_inertial_spin_rad_s";
 
 /// Quantities of the whole run, one number each.
-inline constexpr std::string_view kRunNumbers = "jacobi_integral_J|reference_energy_J|critical_spin_rad_s";
+inline constexpr std::string_view kRunNumbers = Spelled<[](const auto& add) {
+  for (const auto& quantity : kConserved<double>)
+    if (quantity.unit == "J") add(quantity.name), add("_J|");
+  add("critical_spin_rad_s");
+}>::text;
 
-inline constexpr std::string_view kInvariants =
-    "jacobi_integral|reference_energy|inertial_spin|vertical_momentum|kovalevskaya|goryachev_chaplygin";
+/// What a body on a pivot conserves.
+inline constexpr std::string_view kInvariants = Spelled<[](const auto& add) {
+  bool first = true;
+  for (const auto& quantity : kConserved<double>) {
+    if (quantity.on_pivot == nullptr) continue;
+    if (!first) add("|");
+    first = false;
+    add(quantity.name);
+  }
+}>::text;
 
 inline constexpr std::string_view kClosedForms =
     "reference|motion|motion_axis|balanced_axis|steady_precession|homoclinic_tilt|separatrix_rates|cusp_tilts|growth_rate|"

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <optional>
 
 #include "drift/row_quantities.hpp"
+#include "earthtop/model/conserved.hpp"
 #include "earthtop/results/headline.hpp"
 #include "text/number_words.hpp"
 #include "verify/differences.hpp"
@@ -17,10 +19,15 @@ namespace {
 
 constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"};
 
-double initial_invariant(const RunResult& result, std::string_view name) {
-  for (const InvariantReport& invariant : result.invariants)
-    if (invariant.name == name) return invariant.initial;
-  throw NotJudged(fmt::format("this run has no {}", name));
+/// The value at the release of the conserved energy that is called so; none for another quantity.
+std::optional<double> initial_energy(const RunResult& result, std::string_view quantity) {
+  for (const auto& conserved : kConserved<double>) {
+    if (conserved.unit != "J" || quantity != fmt::format("{}_J", conserved.name)) continue;
+    for (const InvariantReport& invariant : result.invariants)
+      if (invariant.name == conserved.name) return invariant.initial;
+    throw NotJudged(fmt::format("this run has no {}", conserved.name));
+  }
+  return std::nullopt;
 }
 
 double figure(const RunResult& result, std::string_view quantity, double t_s) {
@@ -40,8 +47,7 @@ double inertial_spin(const RunResult& result, Prediction prediction, double t_s)
 
 /// The numbers of a quantity: of a vector those of its columns.
 std::vector<double> numbers_of(const RunResult& result, const std::string& quantity, double t_s) {
-  if (quantity == "jacobi_integral_J") return {initial_invariant(result, "jacobi_integral")};
-  if (quantity == "reference_energy_J") return {initial_invariant(result, "reference_energy")};
+  if (const auto energy = initial_energy(result, quantity)) return {*energy};
   if (quantity == "critical_spin_rad_s") return {critical_spin_of(result.scene)};
   if (quantity == "inertial_spin_rad_s") return {inertial_spin(result, Prediction::rotating, t_s)};
   if (quantity == "ref_inertial_spin_rad_s") return {inertial_spin(result, Prediction::reference, t_s)};

@@ -6,16 +6,18 @@
 
 namespace earthtop {
 
-/// The Jacobi integral T(w_IB) + V - L.W (J), with the size of its terms. It is conserved if W is constant and the pivot is at
-/// rest in the laboratory.
+/// A conserved quantity at one instant, with the size of its terms.
+template <class T>
+struct ConservedValue {
+  T value;
+  T scale;
+};
+
+/// The Jacobi integral T(w_IB) + V - L.W (J), with the size T + |m g l| + |L.W|. It is conserved if W is constant and the pivot is
+/// at rest in the laboratory.
 /// @param w_LB_B  rate relative to the laboratory (rad/s)
 template <class T>
-struct JacobiIntegral {
-  T value;
-  T scale;  ///< T + |m g l| + |L.W|
-};
-template <class T>
-JacobiIntegral<T> jacobi_integral(const Mat3<T>& I_BP_B, const Vec3<T>& mass_moment_B, const Vec3<T>& apparent_gravity_L,
+ConservedValue<T> jacobi_integral(const Mat3<T>& I_BP_B, const Vec3<T>& mass_moment_B, const Vec3<T>& apparent_gravity_L,
                                   const Vec3<T>& W_IL_L, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B) {
   const Mat3<T> R_LB = rotation_matrix(q_LB);
   const Vec3<T> W_B = R_LB.transpose() * W_IL_L;

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What the exact motions conserve: one row for each quantity, with its name and unit, which motion conserves it under which
+/// conditions, and how it is found from a state of a body on a pivot or of a top on a table. The invariants of a run, the names that
+/// criteria may use, and what criteria find for them are made from these rows.
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+
+#include "earthtop/model/contact_invariants.hpp"
+#include "earthtop/model/contact_spec.hpp"
+#include "earthtop/model/invariants.hpp"
+
+namespace earthtop {
+
+/// One motion of a body on a pivot at one instant, in SI units.
+template <class T>
+struct InstantOnPivot {
+  const Model<T>& model;
+  Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
+  Quaternion<T> q_LB;
+  Vec3<T> w_LB_B;
+
+  Vec3<T> up_B() const { return rotation_matrix(q_LB).row(2).transpose(); }
+  Vec3<T> w_IB_B() const { return w_LB_B + transposed_times(rotation_matrix(q_LB), W_IL_L); }
+  /// m g l / I3 of a body whose centre of mass is on axis 1 (1/s^2).
+  T pull() const { return model.mass_moment_B[0] * norm(model.apparent_gravity_L) / model.I_BP_B(2, 2); }
+};
+
+/// One motion of a top on a table at one instant, in natural units and in the table's axes H.
+template <class T>
+struct InstantOnTable {
+  const Contact<T>& contact;
+  const ContactSurroundings<T>& around;
+  Mat3<T> R_HB;
+  Vec3<T> w;  ///< rate relative to the laboratory
+  T rate;     ///< its size
+  Vec3<T> n;  ///< body axis 3
+  T spin;     ///< about body axis 3, relative to inertial space
+  Vec3<T> slip, p_O;
+
+  ReducedContactState<T> reduced() const {
+    const Vec3<T> w_IB = w + around.W;
+    return {n, w_IB - inner(w_IB, n) * n, spin, slip, p_O};
+  }
+};
+
+/// Whether all of the Earth's torques act on a top on a table, and neither a tide nor the gradient of gravitation does; and what
+/// else decides what it conserves.
+struct TableConditions {
+  const ContactSpec& spec;
+  bool symmetric;  ///< about body axis 3
+  bool alone;
+
+  bool has_moments() const {
+    return spec.spinning_friction_m > 0 || spec.rolling_resistance_m > 0 || spec.law == ContactLaw::contensou;
+  }
+  bool conserves_energy() const {
+    return alone && !has_moments() && (spec.law == ContactLaw::frictionless || spec.law == ContactLaw::rolling);
+  }
+  bool conserves_spin() const {
+    return alone && symmetric && !has_moments() && (spec.law == ContactLaw::frictionless || spec.tip_radius_m == 0);
+  }
+  bool conserves_jellett() const { return alone && symmetric && !has_moments(); }
+  /// On a tilted table gravity is not along the normal.
+  bool conserves_routh() const { return conserves_jellett() && spec.law == ContactLaw::rolling && spec.table_tilt_deg == 0; }
+};
+
+namespace conserved {
+
+template <class T>
+ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
+  return jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
+}
+template <class T>
+ConservedValue<T> jacobi(const InstantOnTable<T>& i) {
+  const Contact<T>& c = i.contact;
+  const Vec3<T> r_c = times(i.R_HB, c.p_OC_B), z = Vec3<T>::UnitZ();
+  const Vec3<T> v_O = i.slip + c.tip_radius * Vec3<T>(i.w.cross(z));
+  const Vec3<T> p_C = i.p_O + r_c;
+  const Vec3<T> v_C = v_O + Vec3<T>(i.w.cross(r_c));
+  const auto J = contact_jacobi(c, i.around, turned_tensor(i.R_HB, c.I_BC_B), i.w, p_C, v_C);
+  return {J.value, J.kinetic + real::abs(J.potential)};
+}
+
+/// The inertial rate about the symmetry axis.
+template <class T>
+ConservedValue<T> spin(const InstantOnPivot<T>& i) {
+  const T w3 = i.w_IB_B()[symmetry_axis(i.model.I_BP_B, i.model.mass_moment_B)];
+  return {w3, std::max(real::abs(w3), norm(i.w_LB_B))};
+}
+template <class T>
+ConservedValue<T> spin(const InstantOnTable<T>& i) {
+  return {i.spin, std::max(real::abs(i.spin), i.rate)};
+}
+
+template <class T>
+ConservedValue<T> jellett(const InstantOnTable<T>& i) {
+  const Contact<T>& c = i.contact;
+  return {earthtop::jellett(c, i.around, i.reduced()),
+          std::max(c.I1, c.I3) * i.rate * (c.tip_radius + real::abs(c.height_of_center))};
+}
+template <class T>
+ConservedValue<T> routh(const InstantOnTable<T>& i) {
+  const T value = earthtop::routh(i.contact, i.around, i.reduced());
+  return {value, real::abs(value)};
+}
+
+/// The angular momentum about Up: conserved without the Earth's rotation, and at a pole.
+template <class T>
+ConservedValue<T> vertical_momentum(const InstantOnPivot<T>& i) {
+  const Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  return {L_B.dot(i.up_B()), norm(L_B)};
+}
+
+/// (p^2 - q^2 - c g1)^2 + (2 p q - c g2)^2, for a body with I1 = I2 = 2 I3 and its centre of mass on axis 1. [S. Kowalevski,
+/// Acta Math. 12 (1889) 177]
+template <class T>
+ConservedValue<T> kovalevskaya(const InstantOnPivot<T>& i) {
+  const Vec3<T> w = i.w_IB_B(), up_B = i.up_B();
+  const T c = i.pull(), p = w[0], q = w[1];
+  const T a = p * p - q * q - c * up_B[0], b = T(2) * p * q - c * up_B[1], size = p * p + q * q + real::abs(c);
+  return {a * a + b * b, size * size};
+}
+
+/// r (p^2 + q^2) - c p g3, for a body with I1 = I2 = 4 I3, its centre of mass on axis 1, and no angular momentum about the
+/// vertical. [D. N. Goryachev 1900, S. A. Chaplygin 1901]
+template <class T>
+ConservedValue<T> goryachev_chaplygin(const InstantOnPivot<T>& i) {
+  const Vec3<T> w = i.w_IB_B();
+  const T c = i.pull(), p = w[0], q = w[1], r = w[2];
+  return {r * (p * p + q * q) - c * p * i.up_B()[2], real::abs(r) * (p * p + q * q) + real::abs(c * p)};
+}
+
+}  // namespace conserved
+
+/// The motion that conserves a quantity: that on the rotating Earth, the reference motion, or of these the one in which nothing
+/// distinguishes a horizontal direction (the first where the Earth's axis is vertical, else the second).
+enum class ConservingMotion { rotating, reference, about_up };
+
+/// One conserved quantity. A function is null where the quantity has no meaning.
+template <class T>
+struct ConservedQuantity {
+  std::string_view name, unit;
+  int mass_power, rate_power;  ///< of the unit: kg^mass_power s^-rate_power; lengths are metres in natural units, too
+  ConservingMotion motion;
+  ConservedValue<T> (*on_pivot)(const InstantOnPivot<T>&);
+  /// Whether a plain scene on a pivot conserves it. Null where only special bodies and releases do: a run does not report it, and
+  /// who names it in a criterion claims that the scene conserves it.
+  bool (*holds_on_pivot)(int symmetry_axis) = nullptr;
+  ConservedValue<T> (*on_table)(const InstantOnTable<T>&) = nullptr;
+  bool (*holds_on_table)(const TableConditions&) = nullptr;
+};
+
+/// All of them, in the order in which a run reports them.
+template <class T>
+inline constexpr ConservedQuantity<T> kConserved[] = {
+    {"jacobi_integral", "J", 1, 2, ConservingMotion::rotating, conserved::jacobi<T>, [](int) { return true; },
+     conserved::jacobi<T>, [](const TableConditions& table) { return table.conserves_energy(); }},
+    {"reference_energy", "J", 1, 2, ConservingMotion::reference, conserved::jacobi<T>, [](int) { return true; },
+     conserved::jacobi<T>, [](const TableConditions& table) { return table.conserves_energy(); }},
+    {"inertial_spin", "rad/s", 0, 1, ConservingMotion::rotating, conserved::spin<T>, [](int axis) { return axis >= 0; },
+     conserved::spin<T>, [](const TableConditions& table) { return table.conserves_spin(); }},
+    {"reference_jellett_integral", "kg m^3/s", 1, 1, ConservingMotion::reference, nullptr, nullptr, conserved::jellett<T>,
+     [](const TableConditions& table) { return table.conserves_jellett(); }},
+    {"reference_routh_integral", "kg m^2 rad/s", 1, 1, ConservingMotion::reference, nullptr, nullptr, conserved::routh<T>,
+     [](const TableConditions& table) { return table.conserves_routh(); }},
+    {"vertical_momentum", "kg m^2/s", 1, 1, ConservingMotion::about_up, conserved::vertical_momentum<T>},
+    {"kovalevskaya", "1/s^4", 0, 4, ConservingMotion::about_up, conserved::kovalevskaya<T>},
+    {"goryachev_chaplygin", "1/s^3", 0, 3, ConservingMotion::about_up, conserved::goryachev_chaplygin<T>},
+};
+
+}  // namespace earthtop

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What is reported as conserved, and may be named in a criterion, on each support: names and units are part of the interface.
+#include "earthtop/model/conserved.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "earthtop/run.hpp"
+#include "scenario/quantities.hpp"
+#include "support/contact_references.hpp"
+#include "support/contact_scenario.hpp"
+#include "support/scenes.hpp"
+
+namespace earthtop::conserved_run {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// The quantities that a run reports, with their units, each of which has to be constant.
+Names reported(Scenario scenario) {
+  scenario.duration_s = 0.5, scenario.output_step_s = 0.05;
+  Names names;
+  for (const InvariantReport& invariant : run(scenario).invariants) {
+    names.push_back(invariant.name + " " + invariant.unit);
+    EXPECT_GT(invariant.scale, 0) << invariant.name;
+    EXPECT_LT(invariant.largest_change, 1e-11 * invariant.scale) << invariant.name;  // a hundred times the runs' tolerance
+  }
+  return names;
+}
+
+TEST(Conserved, OnAPivot) {
+  EXPECT_EQ(reported(testing::toy_top()), (Names{"jacobi_integral J", "reference_energy J", "inertial_spin rad/s"}));
+  EXPECT_EQ(reported(testing::asymmetric_top()), (Names{"jacobi_integral J", "reference_energy J"}));
+  Scenario braked = testing::toy_top();
+  braked.effects.applied.viscous_N_m_s = 1e-8;
+  EXPECT_EQ(reported(braked), Names{});
+}
+
+TEST(Conserved, OnATable) {
+  const auto on_table = [](ContactLaw law, double tip_radius_m, double table_tilt_deg) {
+    ContactSpec contact{.tip_radius_m = tip_radius_m, .law = law};
+    contact.sliding_viscosity_N_s_m = 0.05;
+    if (law == ContactLaw::rolling) contact.start = ContactStart::rolling;
+    contact.table_tilt_deg = table_tilt_deg;
+    return reported(testing::scenario_of(testing::toy_on_table(contact)));
+  };
+  const std::string jacobi = "jacobi_integral J", energy = "reference_energy J", spin = "inertial_spin rad/s",
+                    jellett = "reference_jellett_integral kg m^3/s", routh = "reference_routh_integral kg m^2 rad/s";
+  EXPECT_EQ(on_table(ContactLaw::frictionless, 0.003, 0), (Names{jacobi, energy, spin, jellett}));
+  EXPECT_EQ(on_table(ContactLaw::viscous, 0.003, 0), Names{jellett});
+  EXPECT_EQ(on_table(ContactLaw::viscous, 0, 0), (Names{spin, jellett}));
+  EXPECT_EQ(on_table(ContactLaw::rolling, 0.003, 0), (Names{jacobi, energy, jellett, routh}));
+  EXPECT_EQ(on_table(ContactLaw::rolling, 0.003, 1), (Names{jacobi, energy, jellett}));
+}
+
+TEST(Conserved, AsCriteriaNameIt) {
+  EXPECT_EQ(scenario::kInvariants,
+            "jacobi_integral|reference_energy|inertial_spin|vertical_momentum|kovalevskaya|goryachev_chaplygin");
+  EXPECT_EQ(scenario::kRunNumbers, "jacobi_integral_J|reference_energy_J|critical_spin_rad_s");
+}
+
+// The unit in words, and the powers by which its numbers go from natural units to it.
+TEST(Conserved, UnitsHaveTheirPowers) {
+  const auto powers = [](std::string_view unit) {
+    if (unit == "J") return std::array{1, 2};
+    const std::size_t per = unit.find("/s");
+    const int rate = per + 2 == unit.size() ? 1 : unit.back() - '0';
+    return std::array{unit.starts_with("kg") ? 1 : 0, rate};
+  };
+  for (const auto& quantity : kConserved<double>)
+    EXPECT_EQ((std::array{quantity.mass_power, quantity.rate_power}), powers(quantity.unit)) << quantity.name;
+}
+
+}  // namespace
+}  // namespace earthtop::conserved_run
