@@ -10,6 +10,9 @@
 
 namespace earthtop {
 
+// constants.cpp: the constants that the results depend on, and their sources.
+std::vector<Constant> constants_of(const Scene& scene);
+
 // problem.cpp: from body and release to the model and to the problem that an integration takes, in any precision.
 NaturalUnits units_of(const Scene& scene);
 template <class T>
@@ -56,9 +59,6 @@ bool is_too_short_to_look(const Scene& scene);
 // method_fit.cpp: which method fits the scene.
 ExactKind closed_form_of(const Scene& scene);
 std::optional<std::string> refuse_method(Method method, const Scene& scene);
-/// Returns the sum of the turn rates of both motions and of the laboratory (rad/s), without the spin of a top that is symmetric
-/// about body axis 3. @param scene  must have a closed form
-double closed_form_turn_rate_rad_s(const Scene& scene);
 
 // integration_cost.cpp: the cost of one integration with given options.
 IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);

@@ -41,6 +41,7 @@ struct Scene::Parts {
   const double rotation_rate_rad_s;
   std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
   Once<std::string> identity, sha256;
+  Once<std::vector<Constant>> constants;
   Once<int> symmetry_axis;
   Once<Touchdown> touchdown;
   Once<TopFigures> top;
@@ -67,6 +68,10 @@ const std::string& Scene::identity() const {
 }
 const std::string& Scene::sha256() const {
   return parts_->sha256.get([this] { return sha256_hex(identity()); });
+}
+
+const std::vector<Constant>& Scene::constants() const {
+  return parts_->constants.get([this] { return constants_of(*this); });
 }
 
 const Support& Scene::support() const { return support_of(scenario()); }

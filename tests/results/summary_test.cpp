@@ -230,6 +230,11 @@ TEST(Summary, ConstantsNameTheEllipsoidOnlyWhereItWasUsed) {
   EXPECT_EQ(constants_used(scenario).size(), 5U);
 }
 
+TEST(Summary, ConstantsAreMadeOnceAScene) {
+  const Scene scene = made_up_run().scene;
+  EXPECT_EQ(&constants_used(scene), &constants_used(scene));
+}
+
 TEST(Summary, SameResultSameBytes) {
   RunResult result = made_up_run();
   const std::string first = summary_json(result);

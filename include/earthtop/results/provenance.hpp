@@ -21,15 +21,7 @@ struct BuildInfo {
 };
 const BuildInfo& build_info();
 
-/// A constant that the result depends on.
-struct Constant {
-  std::string name;
-  double value = 0;
-  std::string unit;
-  std::string source;
-};
-
-/// The Earth's rate and the apparent gravity, given or default; also the WGS 84 ellipsoid if gravity is its default.
-std::vector<Constant> constants_used(const Scene& scene);
+/// The constants that a result of the scene depends on.
+inline const std::vector<Constant>& constants_used(const Scene& scene) { return scene.constants(); }
 
 }  // namespace earthtop

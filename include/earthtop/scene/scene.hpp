@@ -70,6 +70,14 @@ struct RunEstimate {
   RunSeconds seconds;
 };
 
+/// A constant that the results of a scene depend on.
+struct Constant {
+  std::string name;
+  double value = 0;
+  std::string unit;
+  std::string source;
+};
+
 /// A resolved scenario. A scene is immutable, and its copies share their computed parts: each part is computed once, when it
 /// is first requested, also if several threads request it. A part that needs a release throws ScenarioError where the
 /// release does not exist (a steady precession without a real rate); every other part is defined for every validated scenario.
@@ -86,6 +94,8 @@ class Scene {
   const Site& site() const;
   /// The Earth's rate (rad/s), all effects on it included.
   double rotation_rate_rad_s() const;
+  /// Returns the Earth's rate and the apparent gravity, given or default; also the WGS 84 ellipsoid if gravity is its default.
+  const std::vector<Constant>& constants() const;
   /// `identity_json` of the scenario, and its SHA-256 as 64 hexadecimal digits; equal for scenarios that compute the same.
   const std::string& identity() const;
   const std::string& sha256() const;
