@@ -122,8 +122,7 @@ std::string agreement_html(const Json& document) {
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
          "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors "
-         "are "
-         "right.</p>\n";
+         "are right.</p>\n";
 }
 
 /// The times of a figure's measured values, in its unit.

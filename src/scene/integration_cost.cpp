@@ -4,12 +4,24 @@
 #include <cmath>
 
 #include "drift/long_horizon/long_horizon_work.hpp"
+#include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
 namespace {
+
+/// Returns the sum of the turn rates of both motions and of the laboratory (rad/s), without the spin of a top that is symmetric
+/// about body axis 3. @param scene  must have a closed form
+double closed_form_turn_rate_rad_s(const Scene& scene) {
+  const Model<double>& model = scene.model<double>();
+  const Release<double>& release = scene.release<double>();
+  const Vec3<double> W_B = transposed_times(rotation_matrix(release.q_LB), model.W_IL_L);
+  const ExactBody<double> body = exact_body(model);
+  const auto turn_rate = [&](const Vec3<double>& w_B) { return ExactMotion<double>(body, release.q_LB, w_B).turn_rate(); };
+  return turn_rate(release.w_XB_B) + turn_rate(Vec3<double>(release.w_XB_B + W_B)) + norm(model.W_IL_L);
+}
 
 /// Returns the work of a closed form: at each row two or three evaluations in 113 bits, and between rows as many evaluations in
 /// double as are needed to count full turns of the angles.

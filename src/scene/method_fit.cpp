@@ -80,9 +80,8 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
   const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() != 2)
     return what +
-           "works only for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, centre of mass on "
-           "the "
-           "axis); take \"auto\"";
+           "works only for tops symmetric about body axis 3 (equal moments 1 and 2, no products of inertia, centre of mass "
+           "on the axis); take \"auto\"";
   if (scene.scenario().numerics.observer != Observer::laboratory || scene.scenario().numerics.form != ModelForm::automatic)
     return what + "has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
   if (!spins_fast(scene))
@@ -113,15 +112,6 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
 
 ExactKind closed_form_of(const Scene& scene) {
   return scene.is_plain() ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
-}
-
-double closed_form_turn_rate_rad_s(const Scene& scene) {
-  const Model<double>& model = scene.model<double>();
-  const Release<double>& release = scene.release<double>();
-  const Vec3<double> W_B = transposed_times(rotation_matrix(release.q_LB), model.W_IL_L);
-  const ExactBody<double> body = exact_body(model);
-  const auto turn_rate = [&](const Vec3<double>& w_B) { return ExactMotion<double>(body, release.q_LB, w_B).turn_rate(); };
-  return turn_rate(release.w_XB_B) + turn_rate(Vec3<double>(release.w_XB_B + W_B)) + norm(model.W_IL_L);
 }
 
 std::optional<std::string> refuse_method(Method method, const Scene& scene) {

@@ -199,8 +199,7 @@ Verb describe_bench() {
   add_set_option(bench, a.sets);
   bench.describe(
       "Times every method at several tolerances and in every precision that fits the scenario, and measures its error against "
-      "a "
-      "reference. The table marks the Pareto front: the contenders that no other one beats in both speed and error.");
+      "a reference. The table marks the Pareto front: the contenders that no other one beats in both speed and error.");
   bench.example("earthtop bench toy-top.json --brief",
                 "prints the contenders on the Pareto front, and the one that run would choose");
   bench.example("earthtop bench toy-top.json --methods auto,taylor --out bench",

@@ -35,8 +35,7 @@ inline constexpr StatusMeaning kExitStatuses[] = {
     {kRefused, "2", "the command line or an input was refused; nothing was written", "the command line was refused"},
     {kNumericalFailure, "3",
      "a numerical failure, which is named, and the rows before it are kept; or the accuracy asked for was not reached; or "
-     "memory "
-     "or threads ran out",
+     "memory or threads ran out",
      "memory ran out"},
     {kWriteFailed, "4", "writing failed, or reading an input broke off; if only standard output failed, the results are whole",
      "writing to standard output failed"},

@@ -44,8 +44,7 @@ Verb describe_version() {
   version.add("--json", json.get(), "print it as one JSON document");
   version.describe(
       "Prints the version, the commit, the compiler and its flags, the versions of the libraries, and which optional parts "
-      "were "
-      "compiled in.");
+      "were compiled in.");
   version.example("earthtop version", "prints one line for each");
   version.example("earthtop version --json", "prints the same for programs");
   return version;
