@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare/replacement.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,26 +30,14 @@ constexpr std::string_view kHead = "earthtop-update-1\n";  // the journal: this 
 constexpr std::size_t kDigits = 16;
 constexpr const char *kJournal = "journal", *kUndo = "undo", *kDraft = "draft";
 
-void sync_directory(const fs::path& directory) {
-  const int descriptor = ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0 && errno == EACCES) return;  // it may be written to, but not listed
-  if (descriptor < 0) fail_to_write(directory, errno);
-  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
-  ::close(descriptor);
-  if (error != 0 && error != EINVAL) fail_to_write(directory, error);
-}
-
 /// Makes a directory with those that hold it. @param made  gets those that were not there, the outermost first
-void make_directories(const fs::path& directory, std::vector<std::string>& made, TemporaryNames* known = nullptr) {
-  std::vector<fs::path> missing;
-  for (fs::path at = directory; !at.empty() && !is_there(at) && at != at.parent_path(); at = at.parent_path())
-    missing.insert(missing.begin(), at);
+void make_directories(const fs::path& directory, std::vector<fs::path>& made, TemporaryNames* known = nullptr) {
+  std::vector<fs::path> missing = missing_directories(directory);
   made.reserve(made.size() + missing.size());
-  for (const fs::path& path : missing) {
-    std::string name = path.string();
-    if (known) known->add(name);
-    if (::mkdir(name.c_str(), 0777) == 0)
-      made.push_back(std::move(name));
+  for (fs::path& path : missing) {
+    if (known) known->add(path.string());
+    if (::mkdir(path.c_str(), 0777) == 0)
+      made.push_back(std::move(path));
     else if (errno != EEXIST)
       fail_to_write(path, errno);
   }
@@ -106,7 +93,7 @@ void require_free(const DirectoryLock& lock, const fs::path& directory) {
 }
 
 /// @param resumes  some may be in place already   @param made  gets the directories that were not there
-void put_all_in_place(std::vector<ReplacedFile>& changes, const fs::path& root, bool resumes, std::vector<std::string>& made) {
+void put_all_in_place(std::vector<ReplacedFile>& changes, const fs::path& root, bool resumes, std::vector<fs::path>& made) {
   for (auto from = changes.begin(); from != changes.end();) {
     const fs::path directory = from->place.parent_path();
     const auto to =
@@ -168,7 +155,7 @@ void resume(const fs::path& root) try {
     remove_file(undo);
   } else if (is_there(journal)) {
     std::vector<ReplacedFile> changes = read_journal(root, journal);
-    std::vector<std::string> made;
+    std::vector<fs::path> made;
     put_all_in_place(changes, root, true, made);
     remove_file(journal);
   }
@@ -206,8 +193,8 @@ Replacement::Replacement(fs::path root, const Watch& watch) : root_(std::move(ro
     make_directories(stage_ / "old", staged_directories_, &temporary_names_);
     temporary_names_.add(stage_ / kDraft);
   } catch (...) {
-    for (auto* made : {&staged_directories_, &made_})
-      for (auto at = made->rbegin(); at != made->rend(); ++at) ::rmdir(at->c_str());
+    remove_empty(staged_directories_);
+    remove_empty(made_);
     throw;
   }
 }
@@ -218,7 +205,7 @@ Replacement::~Replacement() {
       if (change.is_put) ::unlink(change.next.c_str());
       ::unlink(change.last.c_str());
     }
-    for (auto at = staged_directories_.rbegin(); at != staged_directories_.rend(); ++at) ::rmdir(at->c_str());
+    remove_empty(staged_directories_);
   }
   if (!keeps_stage_ && ::access(stage_.c_str(), F_OK) == 0) {
     try {
@@ -226,8 +213,7 @@ Replacement::~Replacement() {
     } catch (const std::exception&) {  // the next update removes it
     }
   }
-  if (!keeps_root_)
-    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
+  if (!keeps_root_) remove_empty(made_);
 }
 
 fs::path Replacement::staged(const fs::path& name) const { return stage_ / "new" / name; }
@@ -250,7 +236,7 @@ std::pair<fs::path, std::string> Replacement::put(const fs::path& name,
   ReplacedFile& file = this->file(name);
   remove_file(file.next);
   file.is_put = true;
-  Checksum written, found;
+  Checksum written;
   write_durably(
       file.next, file.place,
       [&](const FileSet::Sink& sink) {
@@ -260,11 +246,8 @@ std::pair<fs::path, std::string> Replacement::put(const fs::path& name,
         });
       },
       watch_);
-  const input::Descriptor open = input::open_regular_file(file.next.string(), file.next.string(), {"file", false});
-  std::string block(std::size_t{1} << 18, '\0');
-  while (const std::size_t got = input::read_some(open, file.next.string(), block.data(), block.size()))
-    found.add(std::string_view(block).substr(0, got));
-  if (found.value() != written.value()) throw WriteError(file.next.string(), "is not what was written");
+  if (input::checksum_of_file(file.next.string(), {"file"}) != written.value())
+    throw WriteError(file.next.string(), "is not what was written");
   return {file.next, checksum_text(written.value())};
 }
 
@@ -289,9 +272,9 @@ void Replacement::write_journal() {
   const fs::path draft = stage_ / kDraft;
   try {
     write_durably(draft, journal_, [&](const FileSet::Sink& sink) { sink(text); });
-    for (const std::string& directory : staged_directories_) sync_directory(directory);
+    for (const fs::path& directory : staged_directories_) sync_directory(directory);
     sync_directory(root_);
-    for (const std::string& directory : made_) sync_directory(fs::path(directory).parent_path());
+    for (const fs::path& directory : made_) sync_directory(directory.parent_path());
     if (::rename(draft.c_str(), journal_.c_str()) != 0) fail_to_write(journal_, errno);
   } catch (...) {
     ::unlink(draft.c_str());

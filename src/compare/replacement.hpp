@@ -62,7 +62,7 @@ class Replacement {
 
   std::filesystem::path root_, stage_, journal_, undo_;
   Watch watch_;
-  std::vector<std::string> made_, staged_directories_;  // directories made: for the next version, and to stage it
+  std::vector<std::filesystem::path> made_, staged_directories_;  // directories made: for the next version, and to stage it
   TemporaryNames temporary_names_;
   std::optional<DirectoryLock> lock_;
   std::vector<File> changes_;

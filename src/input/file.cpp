@@ -16,6 +16,7 @@
 
 #include "earthtop/error.hpp"
 #include "input/reader.hpp"
+#include "text/checksum.hpp"
 
 namespace earthtop::input {
 namespace {
@@ -125,6 +126,15 @@ std::string read_regular_file(const std::string& path, const std::string& name, 
       {};  // it tells a large file without reading it; the size may grow, or be 0 for a file that is made as it is read
   if (::fstat(file.get(), &status) == 0 && status.st_size > static_cast<off_t>(use.most_MiB << 20U)) refuse_size(name, use);
   return read_all(file.get(), name, use);
+}
+
+std::uint64_t checksum_of_file(const std::string& path, const FileUse& use) {
+  const Descriptor file = open_regular_file(path, path, use);
+  std::string block(std::size_t{1} << 18U, '\0');
+  Checksum checksum;
+  while (const std::size_t got = read_some(file, path, block.data(), block.size()))
+    checksum.add(std::string_view(block).substr(0, got));
+  return checksum.value();
 }
 
 std::string read_standard_input(const FileUse& use) { return read_all(STDIN_FILENO, "<stdin>", use); }

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,6 +56,9 @@ std::size_t read_some(const Descriptor& file, const std::string& name, char* byt
 /// @throws ScenarioError, with one diagnostic, for a missing, unreadable or oversized file, a directory, a FIFO
 /// or a device; ReadError where reading fails
 std::string read_regular_file(const std::string& path, const std::string& name, const FileUse& use);
+
+/// The checksum of a file's bytes, which may be more than fit into memory. @throws as `read_regular_file`
+std::uint64_t checksum_of_file(const std::string& path, const FileUse& use);
 
 /// Reads standard input to its end, of any kind; errors name it "<stdin>". @throws as `read_regular_file`
 std::string read_standard_input(const FileUse& use);

@@ -11,7 +11,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -67,32 +66,6 @@ bool is_temporary_of(std::string_view candidate, std::string_view name) {
   return middle.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-int write_all(int descriptor, std::string_view rest, const std::function<void()>& before_each) {
-  constexpr std::size_t kChunk = std::size_t{1} << 20;
-  while (!rest.empty()) {
-    before_each();
-    const ssize_t written = ::write(descriptor, rest.data(), std::min(rest.size(), kChunk));
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return errno;
-    if (written == 0) return EIO;
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
-
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return descriptor_; }
-  int close() { return descriptor_ < 0 ? 0 : ::close(std::exchange(descriptor_, -1)); }
-
- private:
-  int descriptor_;
-};
-
 }  // namespace
 
 TemporaryName::TemporaryName(const char* name) : slot_(enter(name, names_on_disk)) {}
@@ -108,30 +81,6 @@ void TemporaryNames::add(std::string name) {
 void TemporaryNames::forget() noexcept {
   const Name* last = names_.empty() ? nullptr : &names_.back();
   last_name.compare_exchange_strong(last, nullptr);
-}
-
-void fail_to_write(const fs::path& file, int error) {
-  if (error == ENOMEM) throw std::bad_alloc();
-  throw WriteError(file.string(), std::strerror(error));
-}
-
-void write_whole(int descriptor, const fs::path& place, std::string_view text) {
-  if (const int error = write_all(descriptor, text, [] {}); error != 0) fail_to_write(place, error);
-}
-
-void write_durably(const fs::path& file, const fs::path& place, const std::function<void(const FileSet::Sink&)>& produce,
-                   const Watch& watch) {
-  const auto stop_if_asked = [&] {
-    if (watch.asks_to_stop()) throw Interrupted();
-  };
-  Descriptor descriptor(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (descriptor.get() < 0) fail_to_write(place, errno);
-  produce([&](std::string_view content) {
-    if (const int error = write_all(descriptor.get(), content, stop_if_asked); error != 0) fail_to_write(place, error);
-  });
-  stop_if_asked();
-  if (::fsync(descriptor.get()) != 0 && errno != EINVAL) fail_to_write(place, errno);
-  if (descriptor.close() != 0) fail_to_write(place, errno);
 }
 
 CommitMoment::CommitMoment() { committing = true; }
@@ -195,15 +144,14 @@ FileSet::FileSet(fs::path dir, std::span<const std::string_view> names, const Wa
       if (name != names.back()) remove_left(name);
     }
   } catch (...) {
-    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());
+    remove_empty(made_);
     throw;
   }
 }
 
 FileSet::~FileSet() {
   files_.clear();
-  if (!committed_)
-    for (auto at = made_.rbegin(); at != made_.rend(); ++at) ::rmdir(at->c_str());  // only what is empty
+  if (!committed_) remove_empty(made_);
 }
 
 void FileSet::stop_if_asked() const {
@@ -211,10 +159,9 @@ void FileSet::stop_if_asked() const {
 }
 
 void FileSet::make_directory() {
-  std::error_code error;
-  for (fs::path at = dir_; !at.empty() && !fs::exists(at, error) && at != at.parent_path(); at = at.parent_path())
-    made_.insert(made_.begin(), at);
+  made_ = missing_directories(dir_);
   for (const fs::path& made : made_) known_.push_back(std::make_shared<MadeDirectory>(made.c_str()));
+  std::error_code error;
   fs::create_directories(dir_, error);
   if (error) fail_to_write(dir_, error.value());
 }
@@ -266,9 +213,9 @@ void FileSet::add(std::string_view name, std::string_view content) {
   add(name, [&](const Sink& sink) { sink(content); });
 }
 
-/// Makes the changes of names in the directory durable. Some file systems cannot sync a directory (EINVAL); that is ignored.
+/// Makes the changes of names in the directory durable.
 void FileSet::sync() const {
-  if (lock_->descriptor() >= 0 && ::fsync(lock_->descriptor()) != 0 && errno != EINVAL) fail_to_write(dir_, errno);
+  if (lock_->descriptor() >= 0) wait_for_disk(lock_->descriptor(), dir_);
 }
 
 void FileSet::replace(bool must_go_back) {

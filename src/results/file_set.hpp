@@ -16,12 +16,9 @@
 
 #include "earthtop/watch.hpp"
 #include "results/directory_lock.hpp"
+#include "results/durable.hpp"
 
 namespace earthtop {
-
-/// @throws WriteError always, for the file, with the system's message for the errno value `error`; std::bad_alloc if that says
-/// that memory is lacking
-[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
 
 /// While it lives, `discard_temporaries` removes the file with this name.
 class TemporaryName {
@@ -79,7 +76,7 @@ class FileSet {
   FileSet(const FileSet&) = delete;
   FileSet& operator=(const FileSet&) = delete;
 
-  using Sink = std::function<void(std::string_view)>;
+  using Sink = earthtop::Sink;
   /// Writes one file under a temporary name. @throws WriteError; Interrupted; all that `produce` throws
   void add(std::string_view name, const std::function<void(const Sink&)>& produce);
   void add(std::string_view name, std::string_view content);
@@ -116,15 +113,6 @@ class FileSet {
   std::optional<DirectoryLock> lock_;
   bool committed_ = false;
 };
-
-/// Writes all of a text. @param place  what errors call the file   @throws WriteError
-void write_whole(int descriptor, const std::filesystem::path& place, std::string_view text);
-
-/// Writes a new file and waits until the disk has it.
-/// @param file  must not be there yet   @param place  what errors call it
-/// @throws WriteError; Interrupted if the watch asks to stop; all that `produce` throws
-void write_durably(const std::filesystem::path& file, const std::filesystem::path& place,
-                   const std::function<void(const FileSet::Sink&)>& produce, const Watch& watch = {});
 
 /// While it lives, signals do not end the program, since files are being put in place. There is only one at a time.
 class CommitMoment {

@@ -23,12 +23,7 @@ constexpr const char* kDamaged = "is damaged: it is not what was written, or a r
 constexpr const char *kSummaryName = "summary.json", *kTimingName = "timing.json";
 
 std::string checksum_of_file(const std::filesystem::path& file) {
-  const input::Descriptor descriptor = input::open_regular_file(file.string(), file.string(), {"result file", false});
-  std::string block(std::size_t{1} << 18, '\0');
-  Checksum checksum;
-  while (const std::size_t got = input::read_some(descriptor, file.string(), block.data(), block.size()))
-    checksum.add(std::string_view(block).substr(0, got));
-  return checksum_text(checksum.value());
+  return checksum_text(input::checksum_of_file(file.string(), {"result file"}));
 }
 
 /// A document up to its last member.
