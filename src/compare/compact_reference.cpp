@@ -97,6 +97,48 @@ std::string row_text(const Row& row, const std::vector<std::size_t>& places) {
   return text + ']';
 }
 
+void require_members(const Json& json, const fs::path& file) {
+  if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
+    refuse_file(file,
+                fmt::format("is not a reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
+                            "compare --update has written",
+                            kReferenceSchema));
+  for (const char* key : {"summary", "columns", "rows", "generator"})
+    if (!json.contains(key)) refuse_file(file, fmt::format("has no \"{}\"; write the reference again", key));
+}
+
+void require_whole_summary(const Comparand& reference) {
+  if (!reference.has_summary() || reference.word("/provenance/scenario_sha256").empty())
+    refuse_file(reference.path, "its summary has no scenario hash; write the reference again");
+  for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
+    if (!reference.summary->contains(key))
+      refuse_file(reference.path, fmt::format("its summary has no \"{}\"; write the reference again", key));
+}
+
+/// The places of the columns after the time in a row of trajectory.csv.
+std::vector<std::size_t> places_of(const Json& columns, const fs::path& file) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    const Json& name = columns.at(i);
+    const auto place = name.is_string() ? trajectory_table().find(name.get<std::string>()) : std::nullopt;
+    if (!place || std::find(places.begin(), places.end(), *place) != places.end())
+      refuse_file(file, fmt::format("its column {} is not one of trajectory.csv, or occurs twice", written(name)));
+    places.push_back(*place);
+  }
+  return places;
+}
+
+std::vector<Row> rows_of(const Json& json, const std::vector<std::size_t>& places, const fs::path& file) {
+  std::vector<Row> rows;
+  for (const Json& numbers : json.at("rows")) {
+    rows.push_back(row_of(numbers, places, file));
+    if (rows.size() > 1 && !(rows.back().t_s > rows[rows.size() - 2].t_s)) refuse_file(file, "its rows are not in order");
+  }
+  if (rows.empty() || json.value("row_count", Json()) != rows.size())
+    refuse_file(file, "does not have as many rows as it states (row_count); write the reference again");
+  return rows;
+}
+
 }  // namespace
 
 Comparand open_compact_reference(const fs::path& file) {
@@ -105,43 +147,19 @@ Comparand open_compact_reference(const fs::path& file) {
   const Json json = read_json_file(file, "reference", [&](std::string_view text) {
     if (!check_seal(text, file, "write the reference again")) reference.unverified.push_back(file);
   });
-  if (!json.contains("$schema") || json.at("$schema") != kReferenceSchema)
-    refuse_file(file,
-                fmt::format("is not a reference: its $schema is not \"{}\"; give a directory of results, or a reference that "
-                            "compare --update has written",
-                            kReferenceSchema));
-  for (const char* key : {"summary", "columns", "rows", "generator"})
-    if (!json.contains(key)) refuse_file(file, fmt::format("has no \"{}\"; write the reference again", key));
+  require_members(json, file);
   reference.summary = json.at("summary");
-  if (!reference.has_summary() || reference.word("/provenance/scenario_sha256").empty())
-    refuse_file(file, "its summary has no scenario hash; write the reference again");
-  for (const char* key : {"scenario", "drift", "outcome", "motion", "invariants"})
-    if (!reference.summary->contains(key))
-      refuse_file(file, fmt::format("its summary has no \"{}\"; write the reference again", key));
-  if (!json.at("columns").is_array() || json.at("columns").empty() || json.at("columns").at(0) != "t_s" ||
-      !json.at("rows").is_array())
+  require_whole_summary(reference);
+  const Json& names = json.at("columns");
+  if (!names.is_array() || names.empty() || names.at(0) != "t_s" || !json.at("rows").is_array())
     refuse_file(file, "its columns do not begin with t_s, or it has no rows; write the reference again");
   reference.has_some_rows_only = true;
   reference.generator = json.at("generator").is_string() ? json.at("generator").get<std::string>() : "";
-  const Table& table = trajectory_table();
-  std::vector<std::size_t> places;
+  const std::vector<std::size_t> places = places_of(names, file);
   std::vector<bool> columns(Row::kMostColumns, false);
-  for (std::size_t i = 1; i < json.at("columns").size(); ++i) {
-    const Json& name = json.at("columns").at(i);
-    const auto place = name.is_string() ? table.find(name.get<std::string>()) : std::nullopt;
-    if (!place || columns[*place])
-      refuse_file(file, fmt::format("its column {} is not one of trajectory.csv, or occurs twice", written(name)));
-    places.push_back(*place);
-    columns[*place] = true;
-  }
-  auto rows = std::make_shared<std::vector<Row>>();
-  for (const Json& row : json.at("rows")) {
-    rows->push_back(row_of(row, places, file));
-    if (rows->size() > 1 && !(rows->back().t_s > (*rows)[rows->size() - 2].t_s)) refuse_file(file, "its rows are not in order");
-  }
+  for (const std::size_t place : places) columns[place] = true;
+  const auto rows = std::make_shared<const std::vector<Row>>(rows_of(json, places, file));
   reference.stated_rows = rows->size();
-  if (rows->empty() || json.value("row_count", Json()) != rows->size())
-    refuse_file(file, "does not have as many rows as it states (row_count); write the reference again");
   reference.open_rows = [rows, columns, name = file.string()] { return std::make_unique<KeptRows>(rows, columns, name); };
   return reference;
 }
