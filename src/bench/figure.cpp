@@ -21,20 +21,6 @@ Enum named(std::string_view word, const std::array<std::string_view, n>& names) 
   return static_cast<Enum>(std::find(names.begin(), names.end() - 1, word) - names.begin());
 }
 
-}  // namespace
-
-std::optional<Look> look_of_method(std::string_view word) {
-  for (const MethodRow& method : kMethodRows) {
-    if (method.word != word || method.look.empty()) continue;
-    const std::size_t space = std::min(method.look.find(' '), method.look.size());
-    return Look{named<LineColor>(method.look.substr(0, space), kColors),
-                named<Marker>(method.look.substr(std::min(space + 1, method.look.size())), kMarkers)};
-  }
-  return std::nullopt;
-}
-
-namespace {
-
 /// Colour and marker of a contender, the same in every picture; grey for other libraries.
 Look look_of(const Contender& contender) {
   if (contender.peer) return {LineColor::grey, named<Marker>(contender.peer->marker, kMarkers)};
@@ -87,6 +73,16 @@ Line front_line(const BenchReport& report, ErrorKind kind) {
 }
 
 }  // namespace
+
+std::optional<Look> look_of_method(std::string_view word) {
+  for (const MethodRow& method : kMethodRows) {
+    if (method.word != word || method.look.empty()) continue;
+    const std::size_t space = std::min(method.look.find(' '), method.look.size());
+    return Look{named<LineColor>(method.look.substr(0, space), kColors),
+                named<Marker>(method.look.substr(std::min(space + 1, method.look.size())), kMarkers)};
+  }
+  return std::nullopt;
+}
 
 Figure bench_figure(const BenchReport& report) {
   const ErrorKind kind = report.compared;

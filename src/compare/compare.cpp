@@ -315,6 +315,26 @@ void note_unused_tolerances(const Tolerances& tolerances, CompareReport& report)
   }
 }
 
+CompareReport compare_once(const fs::path& reference, const fs::path& candidate, const CompareOptions& options,
+                           FileIdentities& seals) {
+  CompareReport report;
+  report.reference = reference.string();
+  report.candidate = candidate.string();
+  report.profile = options.tolerances.profile;
+  report.tolerances_file = options.tolerances.file;
+  std::optional<Mapping> mapping;
+  if (!options.mapping.empty()) mapping = read_mapping(options.mapping);
+  const Mapping* given = mapping ? &*mapping : nullptr;
+  if (kind_of(reference) == ComparandKind::collection && kind_of(candidate) == ComparandKind::collection)
+    compare_collections(reference, candidate, given, options, report, seals);
+  else {
+    note_seals({reference, candidate}, seals);
+    report.pairs.push_back(compare_pair(reference, candidate, "", given, options));
+  }
+  note_unused_tolerances(options.tolerances, report);
+  return report;
+}
+
 }  // namespace
 }  // namespace compare
 
@@ -349,32 +369,6 @@ std::vector<std::string> CompareReport::unverified() const {
       if (std::find(sentences.begin(), sentences.end(), sentence) == sentences.end()) sentences.push_back(sentence);
   return sentences;
 }
-
-namespace compare {
-namespace {
-
-CompareReport compare_once(const fs::path& reference, const fs::path& candidate, const CompareOptions& options,
-                           FileIdentities& seals) {
-  CompareReport report;
-  report.reference = reference.string();
-  report.candidate = candidate.string();
-  report.profile = options.tolerances.profile;
-  report.tolerances_file = options.tolerances.file;
-  std::optional<Mapping> mapping;
-  if (!options.mapping.empty()) mapping = read_mapping(options.mapping);
-  const Mapping* given = mapping ? &*mapping : nullptr;
-  if (kind_of(reference) == ComparandKind::collection && kind_of(candidate) == ComparandKind::collection)
-    compare_collections(reference, candidate, given, options, report, seals);
-  else {
-    note_seals({reference, candidate}, seals);
-    report.pairs.push_back(compare_pair(reference, candidate, "", given, options));
-  }
-  note_unused_tolerances(options.tolerances, report);
-  return report;
-}
-
-}  // namespace
-}  // namespace compare
 
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options) {

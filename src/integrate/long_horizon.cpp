@@ -68,6 +68,54 @@ class Trial {
   std::array<typename TiltedTop<T>::Seen, static_cast<std::size_t>(Looks::kMost)> seen_;
 };
 
+/// The tolerance asked for, or the least one that makes sense over this horizon: a part of the error that averaging leaves, and
+/// that is stated, whatever the steps.
+template <class T>
+T reachable(const TiltedTop<T>& top, T duration, T asked, Averaging averaging) {
+  if (averaging == Averaging::none) return std::max(asked, T(kLeastError));
+  return std::max({asked, T(kLeastAveraged), averaging_error(top, duration, averaging) / T(3)});
+}
+
+/// The beginning of the search for a plan.
+template <class T>
+struct Guess {
+  LongHorizonPlan<T> plan;
+  T tolerance;       ///< of the axis (rad)
+  bool needs_trial;  ///< false where there is no perturbation, so that no step has an error
+  T part;            ///< the part of the duration that a trial covers
+  Looks looks;
+};
+
+template <class T>
+Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T asked) {
+  const Averaging averaging = may_average(top, duration, duration, std::max(asked, T(kLeastError)));
+  const bool averages = averaging != Averaging::none;
+  const T tolerance = reachable(top, duration, asked, averaging);
+  const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
+  const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
+  // About a tenth of the perturbation is taken to oscillate, at twice this rate. A trial corrects this estimate.
+  const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
+  double least_work = std::numeric_limits<double>::infinity();
+  KickSchedule schedule;
+  T step = duration;
+  for (const int s : kGaussKicks) {
+    const double longest = gauss_phase(s, error) / (2 * rate), whole = static_cast<double>(duration);
+    const double steps = std::max(1.0, std::ceil(whole / longest));
+    if (const double work = s * steps; work < least_work) {
+      least_work = work;
+      schedule = kick_schedules::gauss(s);
+      step = T(whole / steps);
+    }
+  }
+  // The trial covers the whole duration where that costs little, because in an unstable scene errors grow.
+  constexpr double kCheapSteps = 400;
+  const T part = duration < T(kCheapSteps) * step
+                     ? duration
+                     : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
+  const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
+  return {make_plan(top, schedule, step, averaging), tolerance, size > 0, part, looks};
+}
+
 }  // namespace
 
 template <class T>
@@ -147,58 +195,6 @@ Averaging may_average(const TiltedTop<T>& top, T duration, T step, T tolerance) 
   const T least = averaging_error(top, duration, Averaging::fine) / T(3);
   return least < std::max(tolerance, T(kLeastAveraged)) + T(kFollowed) * phase * phase ? Averaging::fine : Averaging::none;
 }
-
-namespace {
-
-/// The tolerance asked for, or the least one that makes sense over this horizon: a part of the error that averaging leaves, and
-/// that is stated, whatever the steps.
-template <class T>
-T reachable(const TiltedTop<T>& top, T duration, T asked, Averaging averaging) {
-  if (averaging == Averaging::none) return std::max(asked, T(kLeastError));
-  return std::max({asked, T(kLeastAveraged), averaging_error(top, duration, averaging) / T(3)});
-}
-
-/// The beginning of the search for a plan.
-template <class T>
-struct Guess {
-  LongHorizonPlan<T> plan;
-  T tolerance;       ///< of the axis (rad)
-  bool needs_trial;  ///< false where there is no perturbation, so that no step has an error
-  T part;            ///< the part of the duration that a trial covers
-  Looks looks;
-};
-
-template <class T>
-Guess<T> guess_plan(const TiltedTop<T>& top, T duration, T asked) {
-  const Averaging averaging = may_average(top, duration, duration, std::max(asked, T(kLeastError)));
-  const bool averages = averaging != Averaging::none;
-  const T tolerance = reachable(top, duration, asked, averaging);
-  const double rate = static_cast<double>(averages ? top.precession_rate() : top.fast_rate());
-  const double size = static_cast<double>(top.kick_rate() * std::min(duration, T(4 / rate)));
-  // About a tenth of the perturbation is taken to oscillate, at twice this rate. A trial corrects this estimate.
-  const double error = size > 0 ? std::min(static_cast<double>(tolerance) * 10 / size, 0.01) : 0.01;
-  double least_work = std::numeric_limits<double>::infinity();
-  KickSchedule schedule;
-  T step = duration;
-  for (const int s : kGaussKicks) {
-    const double longest = gauss_phase(s, error) / (2 * rate), whole = static_cast<double>(duration);
-    const double steps = std::max(1.0, std::ceil(whole / longest));
-    if (const double work = s * steps; work < least_work) {
-      least_work = work;
-      schedule = kick_schedules::gauss(s);
-      step = T(whole / steps);
-    }
-  }
-  // The trial covers the whole duration where that costs little, because in an unstable scene errors grow.
-  constexpr double kCheapSteps = 400;
-  const T part = duration < T(kCheapSteps) * step
-                     ? duration
-                     : std::min(duration, std::max({T(16) * step, T(12 / rate), duration / T(32)}));
-  const Looks looks = looks_in(static_cast<double>(part), static_cast<double>(step));
-  return {make_plan(top, schedule, step, averaging), tolerance, size > 0, part, looks};
-}
-
-}  // namespace
 
 template <class T>
 LongHorizonPlan<T> find_plan(const TiltedTop<T>& top, T duration, T asked, StepCounters& counters, const Watch& watch) {

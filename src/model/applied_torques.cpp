@@ -21,6 +21,15 @@ double disc_coefficient(const AirDragSpec& disc, bool turbulent) {
   return c * disc.density_kg_m3 / 2 * R * R * R * R * R;
 }
 
+std::array<GradientTerm<double>, 2> terms_of(const GravityGradientSpec& spec, const Site& site) {
+  if (spec.field == GradientField::normal) return gradient_terms(gradient_L(spec, site));
+  // A single term, exactly: 3 k u u^T - k 1.
+  if (spec.field == GradientField::given) return {GradientTerm<double>{3 * spec.gm_over_r3_s2, Vec3<double>::UnitZ()}, {}};
+  return {GradientTerm<double>{3 * geocentric_gm_over_r3(site.latitude_deg, site.height_m),
+                               geocentric_up_L(site.latitude_deg, site.height_m)},
+          {}};
+}
+
 }  // namespace
 
 double disc_reynolds_number(const AirDragSpec& disc, double spin_rad_s) {
@@ -49,19 +58,6 @@ Mat3<double> gradient_L(const GravityGradientSpec& spec, const Site& site) {
   return spherical_gradient(geocentric_gm_over_r3(site.latitude_deg, site.height_m),
                             geocentric_up_L(site.latitude_deg, site.height_m));
 }
-
-namespace {
-
-std::array<GradientTerm<double>, 2> terms_of(const GravityGradientSpec& spec, const Site& site) {
-  if (spec.field == GradientField::normal) return gradient_terms(gradient_L(spec, site));
-  // A single term, exactly: 3 k u u^T - k 1.
-  if (spec.field == GradientField::given) return {GradientTerm<double>{3 * spec.gm_over_r3_s2, Vec3<double>::UnitZ()}, {}};
-  return {GradientTerm<double>{3 * geocentric_gm_over_r3(site.latitude_deg, site.height_m),
-                               geocentric_up_L(site.latitude_deg, site.height_m)},
-          {}};
-}
-
-}  // namespace
 
 template <class T>
 AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s, int mass_exponent,

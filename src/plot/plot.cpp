@@ -209,10 +209,6 @@ Mapping map_x(const Figure& figure, const Sheet& sheet) {
   return map_axis(range, figure.x.scale, true, sheet.x_ticks, sheet.left, sheet.left + sheet.plot_width());
 }
 
-}  // namespace
-
-namespace {
-
 /// The texts above the panels.
 struct Heading {
   std::vector<std::string> title, subtitle;

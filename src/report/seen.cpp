@@ -78,6 +78,30 @@ bool follow_the_path(std::span<const Row> rows) {
   return turns <= kLargestTurn * kLargestTurn * steps + kRounding * kRounding * static_cast<double>(rows.size());
 }
 
+/// Looks at the motion of the run's scenario. @returns why that cannot be; empty if it was done
+std::string look(Run& run) {
+  const double reached = run.number("/outcome/reached_s").value_or(0);
+  if (run.word("/outcome/status") == "interrupted") return "the run was interrupted";
+  if (!run.scene) return "this version does not follow such a scene";
+  if (!(reached > 0) || run.listed.rows.size() < 2) return "there is no row after the release";
+  try {
+    Scene scene = *run.scene;
+    const bool chooses = scene.scenario().effects.automatic;
+    const double seconds = seconds_to_look(scene) + (chooses ? selection_seconds(scene) : 0);
+    if (!(seconds <= kMostSeconds)) return fmt::format("to look between them would take about {:.0f} s", seconds);
+    if (chooses) select_effects(scene, run.watch);
+    const double checked_s = run.number("/drift/reliable/at_s").value_or(reached);
+    const SeenMotion seen = look_at_motion(scene, reached, checked_s, run.watch);
+    if (run.watch.asks_to_stop()) throw Interrupted();
+    if (seen.looks.size() < 2 || !(seen.looks.back().t_s >= checked_s)) return "the motion could not be computed again";
+    if (!agree(run, seen.checked)) return "the scenario gives another motion in this version";
+    take_looks(run, seen.looks, seen.a_window, [&] { return seen.last; });
+    return "";
+  } catch (const ScenarioError&) {
+    return "this version does not follow such a scene";
+  }
+}
+
 }  // namespace
 
 std::vector<Row> rows_of(const Run& run, std::span<const DriftRow> looks) {
@@ -111,34 +135,6 @@ void take_looks(Run& run, std::span<const DriftRow> looks, std::size_t a_window,
   run.played_words = fmt::format("The axis has too many swings and turns to show them all: drawn are the last {:.4g} s.",
                                  run.played.rows.back().t_s - run.played.rows.front().t_s);
 }
-
-namespace {
-
-/// Looks at the motion of the run's scenario. @returns why that cannot be; empty if it was done
-std::string look(Run& run) {
-  const double reached = run.number("/outcome/reached_s").value_or(0);
-  if (run.word("/outcome/status") == "interrupted") return "the run was interrupted";
-  if (!run.scene) return "this version does not follow such a scene";
-  if (!(reached > 0) || run.listed.rows.size() < 2) return "there is no row after the release";
-  try {
-    Scene scene = *run.scene;
-    const bool chooses = scene.scenario().effects.automatic;
-    const double seconds = seconds_to_look(scene) + (chooses ? selection_seconds(scene) : 0);
-    if (!(seconds <= kMostSeconds)) return fmt::format("to look between them would take about {:.0f} s", seconds);
-    if (chooses) select_effects(scene, run.watch);
-    const double checked_s = run.number("/drift/reliable/at_s").value_or(reached);
-    const SeenMotion seen = look_at_motion(scene, reached, checked_s, run.watch);
-    if (run.watch.asks_to_stop()) throw Interrupted();
-    if (seen.looks.size() < 2 || !(seen.looks.back().t_s >= checked_s)) return "the motion could not be computed again";
-    if (!agree(run, seen.checked)) return "the scenario gives another motion in this version";
-    take_looks(run, seen.looks, seen.a_window, [&] { return seen.last; });
-    return "";
-  } catch (const ScenarioError&) {
-    return "this version does not follow such a scene";
-  }
-}
-
-}  // namespace
 
 void see_motion(Run& run) {
   const std::string why_not = look(run);

@@ -36,6 +36,20 @@ SobolPlace sobol_place(const Study& study, std::uint64_t number) {
   return {number / block, number % block};
 }
 
+/// The setting for the i-th value of an axis.
+Setting level_setting(const StudyAxis& axis, std::uint64_t i) {
+  if (!axis.range) return {false, i, 0};
+  const std::uint64_t last = axis.range->points - 1;
+  return {false, 0, last == 0 ? 0 : static_cast<double>(i) / static_cast<double>(last)};
+}
+
+/// The setting for a number 0 <= u < 1: a position within a range, or one of the levels, all equally likely.
+Setting drawn_setting(const StudyAxis& axis, double u) {
+  if (axis.range) return {false, 0, u};
+  const auto count = static_cast<double>(axis.levels.size());
+  return {false, std::min<std::uint64_t>(static_cast<std::uint64_t>(u * count), axis.levels.size() - 1), 0};
+}
+
 }  // namespace
 
 Design::Design(const Study& study) : study_(study) {
@@ -57,24 +71,6 @@ PlannedPoint Design::point(std::uint64_t number) {
   }
   return point;
 }
-
-namespace {
-
-/// The setting for the i-th value of an axis.
-Setting level_setting(const StudyAxis& axis, std::uint64_t i) {
-  if (!axis.range) return {false, i, 0};
-  const std::uint64_t last = axis.range->points - 1;
-  return {false, 0, last == 0 ? 0 : static_cast<double>(i) / static_cast<double>(last)};
-}
-
-/// The setting for a number 0 <= u < 1: a position within a range, or one of the levels, all equally likely.
-Setting drawn_setting(const StudyAxis& axis, double u) {
-  if (axis.range) return {false, 0, u};
-  const auto count = static_cast<double>(axis.levels.size());
-  return {false, std::min<std::uint64_t>(static_cast<std::uint64_t>(u * count), axis.levels.size() - 1), 0};
-}
-
-}  // namespace
 
 void Design::fill_grid(PlannedPoint& point) const {
   std::uint64_t rest = point.number;

@@ -38,28 +38,6 @@ void require_plain_files(const std::string& database) {
   input::read_some(input::open_regular_file(database, database, {"store"}), database, first.data(), first.size());
 }
 
-}  // namespace
-
-Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(mode) {
-  require_plain_files(file);
-  sqlite3* opened = nullptr;
-  const int flags = mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
-  const int code = sqlite3_open_v2(file.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
-  database_.reset(opened);
-  if (code != SQLITE_OK) fail();
-  sqlite3_extended_result_codes(opened, 1);
-  sqlite3_busy_timeout(opened, 200);  // ms
-  // A quoted name that is not a column's is an error, not a word: a table without a column would have its name in every row.
-  sqlite3_db_config(opened, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
-}
-
-void Connection::wait_for_locks() {
-  patient_ = true;
-  sqlite3_busy_timeout(database_.get(), 10'000);  // ms
-}
-
-namespace {
-
 /// The process that holds a lock on one of SQLite's files, as far as the system's list of locks shows. Opening the file to ask
 /// for its locks would be wrong: closing it again would release this process's own locks on it.
 std::string holder_of(const std::string& file) {
@@ -83,10 +61,8 @@ std::string holder_of(const std::string& file) {
   return "another process";
 }
 
-}  // namespace
-
 /// What SQLite complains of, in words of a user of a study's store. @param code  without its extension
-static std::string reason_of(int code, sqlite3* database) {
+std::string reason_of(int code, sqlite3* database) {
   switch (code) {
     case SQLITE_CORRUPT: return "its pages are damaged";
     case SQLITE_NOTADB: return "it is not a database";
@@ -103,6 +79,26 @@ static std::string reason_of(int code, sqlite3* database) {
   }
   const int error = sqlite3_system_errno(database);
   return error != 0 ? std::strerror(error) : "reading or writing failed";
+}
+
+}  // namespace
+
+Connection::Connection(const std::string& file, Mode mode) : file_(file), mode_(mode) {
+  require_plain_files(file);
+  sqlite3* opened = nullptr;
+  const int flags = mode == Mode::write ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
+  const int code = sqlite3_open_v2(file.c_str(), &opened, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  database_.reset(opened);
+  if (code != SQLITE_OK) fail();
+  sqlite3_extended_result_codes(opened, 1);
+  sqlite3_busy_timeout(opened, 200);  // ms
+  // A quoted name that is not a column's is an error, not a word: a table without a column would have its name in every row.
+  sqlite3_db_config(opened, SQLITE_DBCONFIG_DQS_DML, 0, nullptr);
+}
+
+void Connection::wait_for_locks() {
+  patient_ = true;
+  sqlite3_busy_timeout(database_.get(), 10'000);  // ms
 }
 
 void Connection::fail() const {
