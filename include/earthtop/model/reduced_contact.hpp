@@ -14,7 +14,8 @@
 ///   (Theta + m (rho^2 1 - rho rho^T)) w' = -w_IB x L_C + Theta (w x W) + ... - m rho x acc + M ,  N z + F = m (w' x rho + acc)
 /// with acc = w x (w x r_c) - g - f/m, and rho x (w x (w x r_c)) = -l ((w.n) v_C + r w^2 z x n).
 ///
-/// The forms are those with the fewest products: each product of two variables costs a series its square of orders.
+/// The forms are those with the fewest products: a product of two variables takes n^2/2 multiplications
+/// in a series of n orders.
 #pragma once
 
 #include "earthtop/model/contact_forces.hpp"
@@ -97,14 +98,14 @@ ReducedContactRates<S> reduced_sliding(const Contact<S>& c, const ContactSurroun
   const Vec3<S> further = further_torque(c, around, x.n, k.w);
   const S across = S(1) / c.I1, along = S(1) / c.I3;
 
-  // n'' without the table's force and the further torque, and the parts of z.(tau x n) without and with N
+  // n'' without the table's force and the further torque, and the parts of z.(tau x n) that have no factor N and that have one
   const Vec3<S> bend = S(k.b) * x.u - inner(x.u, x.u) * x.n + Vec3<S>(W.cross(Vec3<S>(W.cross(x.n) - S(2) * k.s_dot)));
   const S lever = c.tip_radius + c.height_of_center * k.up;
-  const S turn_0 = lever * inner(f.force, x.n) + inner(z, Vec3<S>(further.cross(x.n)));
-  const S turn_1 = lever * inner(f.force_per_normal, x.n) - c.height_of_center * (S(1) - k.up * k.up) +
-                   inner(z, Vec3<S>(f.moment_per_normal.cross(x.n)));
-  const S numerator = c.height_of_center * (inner(z, bend) + across * turn_0) - inner(z, Vec3<S>(around.gravity + k.field));
-  const S denominator = S(1) - (c.mass * c.height_of_center * across) * turn_1;
+  const S without_N = lever * inner(f.force, x.n) + inner(z, Vec3<S>(further.cross(x.n)));
+  const S per_N = lever * inner(f.force_per_normal, x.n) - c.height_of_center * (S(1) - k.up * k.up) +
+                  inner(z, Vec3<S>(f.moment_per_normal.cross(x.n)));
+  const S numerator = c.height_of_center * (inner(z, bend) + across * without_N) - inner(z, Vec3<S>(around.gravity + k.field));
+  const S denominator = S(1) - (c.mass * c.height_of_center * across) * per_N;
   const S N = c.mass * numerator / denominator;
 
   ReducedContactRates<S> rates;
@@ -137,10 +138,11 @@ ReducedContactRates<S> reduced_rolling(const Contact<S>& c, const ContactSurroun
   const Vec3<S>& rho = inertia.arm();
   const Vec3<S> further = further_torque(c, around, x.n, k.w), pull = around.gravity + k.field;
   // -w_IB x L_C + Theta (w x W) with Theta = I1 + (I3 - I1) n n^T; n.(w x W) = -W.s'
-  const S extra = c.I3 - c.I1, W_turn = inner(W, k.s_dot);
-  const Vec3<S> gyroscopic = c.I1 * Vec3<S>(k.w.cross(W)) - S(extra * W_turn) * x.n - S(extra * x.w3) * k.s_dot;
-  const Vec3<S> swing = S(x.w3 - inner(W, x.n)) * k.v_C + S(c.tip_radius * inner(k.w, k.w)) * Vec3<S>(z.cross(x.n));
-  const Vec3<S> right = gyroscopic + further + c.mass * Vec3<S>(c.height_of_center * swing + Vec3<S>(rho.cross(pull)));
+  const S beyond_across = c.I3 - c.I1, W_turn = inner(W, k.s_dot);
+  const Vec3<S> gyroscopic = c.I1 * Vec3<S>(k.w.cross(W)) - S(beyond_across * W_turn) * x.n - S(beyond_across * x.w3) * k.s_dot;
+  // -rho x (w x (w x r_c)) / l
+  const Vec3<S> centrifugal = S(x.w3 - inner(W, x.n)) * k.v_C + S(c.tip_radius * inner(k.w, k.w)) * Vec3<S>(z.cross(x.n));
+  const Vec3<S> right = gyroscopic + further + c.mass * Vec3<S>(c.height_of_center * centrifugal + Vec3<S>(rho.cross(pull)));
   Vec3<S> w_dot = inertia.solved(right);
   const Vec3<S> acc = k.w.cross(Vec3<S>(c.height_of_center * k.n_dot)) - pull;
   const auto normal_force = [&](const Vec3<S>& rate) { return S(c.mass * inner(z, Vec3<S>(Vec3<S>(rate.cross(rho)) + acc))); };

@@ -197,7 +197,7 @@ std::vector<DriftTrajectory<double>> integrate_general(std::span<const DriftProb
 std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const DriftProblem<double>> problems,
                                                               const IntegrationOptions& options, const Watch& watch,
                                                               std::optional<InstructionSet> set) {
-  const InstructionSet taken = lanes::set_taken(set);
+  const InstructionSet taken = lanes::available(set);
   if (options.form == ModelForm::general) return integrate_general(problems, options, watch, taken);
   switch (options.observer) {
     case Observer::laboratory:

@@ -13,9 +13,9 @@
 
 namespace earthtop::lanes {
 
-/// The instruction set to take. @param asked  none: the widest that there is
+/// The instruction set that was asked for, or the widest that there is.
 /// @throws std::logic_error for one that this processor or program does not have
-inline InstructionSet set_taken(std::optional<InstructionSet> asked) {
+inline InstructionSet available(std::optional<InstructionSet> asked) {
   static const std::vector<InstructionSet> sets = instruction_sets();
   if (!asked) return sets.back();
   if (std::find(sets.begin(), sets.end(), *asked) == sets.end())
@@ -25,10 +25,13 @@ inline InstructionSet set_taken(std::optional<InstructionSet> asked) {
 
 }  // namespace earthtop::lanes
 
+/// The kernel `name` for an instruction set: `name`_baseline, `name`_avx2 or `name`_avx512. A macro, since it joins names, and since
+/// a program that was not built for wide lanes has only the first of them.
 #ifdef EARTHTOP_WIDE_LANES
-/// One of the kernels `name`_baseline, `name`_avx2 and `name`_avx512.
-#define EARTHTOP_CHOOSE_KERNEL(set, name) \
-  ((set) == InstructionSet::avx512 ? name##_avx512 : (set) == InstructionSet::avx2 ? name##_avx2 : name##_baseline)
+#define EARTHTOP_CHOOSE_KERNEL(set, name)                      \
+  ((set) == ::earthtop::InstructionSet::avx512 ? name##_avx512 \
+   : (set) == ::earthtop::InstructionSet::avx2 ? name##_avx2   \
+                                               : name##_baseline)
 #else
 #define EARTHTOP_CHOOSE_KERNEL(set, name) ((void)(set), name##_baseline)
 #endif

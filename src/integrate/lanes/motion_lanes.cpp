@@ -76,7 +76,7 @@ std::vector<MotionTrajectory<double>> integrate(const lanes::Kernel& kernel, std
 std::vector<MotionTrajectory<double>> integrate_motion_in_lanes(std::span<const MotionProblem<double>> problems,
                                                                 const IntegrationOptions& options, MotionSought sought,
                                                                 const Watch& watch, std::optional<InstructionSet> set) {
-  const InstructionSet taken = lanes::set_taken(set);
+  const InstructionSet taken = lanes::available(set);
   if (sought == MotionSought::symmetry_axis)
     return integrate<MotionSought::symmetry_axis>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAxisMotion), problems, options, watch);
   return integrate<MotionSought::attitude>(EARTHTOP_CHOOSE_KERNEL(taken, lanes::kAttitudeMotion), problems, options, watch);
