@@ -173,6 +173,32 @@ TEST(Tangents, KeepTheGuardsOfTheList) {
   EXPECT_FALSE(program.guards_hold());
 }
 
+// A friction along the rate, of which only the product with the root of its square is smooth: at rest the root has no tangent, and the
+// product's is zero. Away from rest the list does not hold.
+TEST(Tangents, OfAProductWithARootAtRestAreThoseWithoutTheRoot) {
+  const Formula square_root = [](const R& x, const R&, const R& p, const R&, const R&) {
+    return Rates{R(p - sqrt(R(x * x)) * x), x};
+  };
+  const Formula power = [](const R& x, const R&, const R& p, const R&, const R&) {
+    return Rates{R(p - pow(R(x * x), R(T(3) / T(4))) * x), x};
+  };
+  for (const Formula& formula : {square_root, power}) {
+    // One direction changes x by 2, y by 3 and p by 5.
+    const std::vector<T> x = {T(0), T(1), T(2), T(3)}, by_parameter = {T(5), T(0)};
+    const taylor::Operations<T> plain = record(formula, {T(0), T(1), T(7), T(0)});
+    taylor::Program<T> program(taylor::with_tangents<T>(plain, 1, by_parameter, x, kTime));
+    std::vector<T> series(2 * x.size(), T(0));
+    std::ranges::copy(x, series.begin());
+    program.start(x, kTime);
+    program.expand(series.data(), 1);
+    EXPECT_EQ(std::vector<T>(series.begin() + 4, series.end()), (std::vector<T>{T(7), T(0), T(5), T(2)}));
+    EXPECT_TRUE(program.guards_hold());
+    EXPECT_FALSE(taylor::Program<T>(plain).has_guards());
+    program.start(std::vector<T>{T(1), T(1), T(2), T(3)}, kTime);
+    EXPECT_FALSE(program.guards_hold());
+  }
+}
+
 TEST(Tangents, BeyondThoseThatAreFollowedStayAsTheyAre) {
   const Formula formula = [](const R& x, const R& y, const R& p, const R&, const R&) { return Rates{x * y, p * x}; };
   const std::array<T, 4> start = moved(0, T(0));

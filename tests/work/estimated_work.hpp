@@ -24,7 +24,7 @@ inline double ratio(const WorkDone& done) {
 
 /// For scenes from gentle to stiff, with every effect, method and precision: the work is at most ten times the estimate, where
 /// a run would be stopped, and within a factor of three in four of five scenes.
-inline void expect_promises_kept(int scenes_a_kind) {
+inline void expect_work_as_estimated(int scenes_a_kind) {
   std::vector<double> ratios;
   for (const WorkKind& kind : work_kinds())
     for (int i = 0; i < scenes_a_kind; ++i) {

@@ -2,12 +2,12 @@
 // The estimated work of runs, over many scenes of every kind.
 #include <gtest/gtest.h>
 
-#include "work/promises.hpp"
+#include "work/estimated_work.hpp"
 
 namespace earthtop {
 namespace {
 
-TEST(WorkEstimate, HoldsForManyRandomScenes) { testing::expect_promises_kept(40); }
+TEST(WorkEstimate, HoldsForManyRandomScenes) { testing::expect_work_as_estimated(40); }
 
 }  // namespace
 }  // namespace earthtop

@@ -11,7 +11,7 @@
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "run/assemble.hpp"
-#include "work/promises.hpp"
+#include "work/estimated_work.hpp"
 
 namespace earthtop {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 using testing::ratio;
 using testing::toy_top;
 
-TEST(WorkEstimate, HoldsForRandomScenes) { testing::expect_promises_kept(2); }
+TEST(WorkEstimate, HoldsForRandomScenes) { testing::expect_work_as_estimated(2); }
 
 // Scenes with little motion: a pendulum that dry friction does not hold, a wheel at a pole, whose drift is rounding alone, and
 // a disc whose drag stops the spin at once.
