@@ -40,7 +40,7 @@ class MotionOnTable {
             in_H(sample.contact->axis_L),
             sample.contact->spin.*member_,
             in_H(sample.contact->slip_L),
-            in_H(sample.contact->tip_L)};
+            in_H(sample.contact->tip_L) + Vec3<T>(T(0), T(0), problem_.table->contact.tip_radius)};
   }
 
  private:

@@ -55,6 +55,31 @@ TEST(Conserved, OnATable) {
   EXPECT_EQ(on_table(ContactLaw::rolling, 0.003, 1), (Names{jacobi, energy, jellett}));
 }
 
+// A top that turns about its axis alone, on a tip at rest: I3 w3^2 / 2 + m g (r + l cos), and L_C.rho = I3 w3 (l + r cos).
+TEST(Conserved, OnATableWithTheirValues) {
+  Scenario s = testing::scenario_of(testing::toy_on_table({.tip_radius_m = 0.003, .law = ContactLaw::frictionless}));
+  s.rotation_rate_rad_s = 0;
+  s.duration_s = s.output_step_s = 0.01;
+  const Scene scene(s);
+  const Body<double>& body = scene.body<double>();
+  const double cosine = rotation_matrix(scene.release<double>().q_LB)(2, 2), w3 = scene.release<double>().w_XB_B[2];
+  ASSERT_EQ(norm(scene.release<double>().w_XB_B), std::abs(w3));
+  const double r = s.contact->tip_radius_m, l = scene.problem<double>().table->contact.height_of_center;
+  const RunResult result = run(s);
+  const auto initial = [&](std::string_view name) {
+    for (const InvariantReport& invariant : result.invariants)
+      if (invariant.name == name) return invariant.initial;
+    return 0.0;
+  };
+  const double energy = body.I_BP_B(2, 2) * w3 * w3 / 2 + body.mass * scene.site().gravity_m_s2 * (r + l * cosine);
+  const double jellett = body.I_BP_B(2, 2) * w3 * (l + r * cosine);
+  constexpr double kRounding = 1e-14;
+  EXPECT_NEAR(initial("jacobi_integral"), energy, kRounding * energy);
+  EXPECT_NEAR(initial("reference_energy"), energy, kRounding * energy);
+  EXPECT_NEAR(initial("reference_jellett_integral"), jellett, kRounding * jellett);
+  EXPECT_NEAR(initial("inertial_spin"), w3, kRounding * w3);
+}
+
 TEST(Conserved, AsCriteriaNameIt) {
   EXPECT_EQ(scenario::kInvariants,
             "jacobi_integral|reference_energy|inertial_spin|vertical_momentum|kovalevskaya|goryachev_chaplygin");

@@ -37,7 +37,8 @@ struct InstantOnTable {
   T rate;     ///< its size
   Vec3<T> n;  ///< body axis 3
   T spin;     ///< about body axis 3, relative to inertial space
-  Vec3<T> slip, p_O;
+  Vec3<T> slip;
+  Vec3<T> p_O;  ///< place of the centre of the tip's sphere
 
   ReducedContactState<T> reduced() const {
     const Vec3<T> w_IB = w + around.W;
