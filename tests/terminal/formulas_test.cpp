@@ -343,7 +343,7 @@ TEST(Formulas, EveryFormulaOfTheSourcesIsHeld) {
                                         "ratio I3/I1 of the moments",
                                         "standard error of I3/I1"};  // what a key, a column or an input is
   const std::regex unit(
-      "(kg|N|m|s|rad|1)([ /](kg|m|s|rad))*[ /]?((kg|m|s) ?)*(\\^[23]|²|³)([ /](s|m|rad|kg)(\\^[23]|²)?)*(/s)?");
+      "(kg|N|m|s|rad|1)([ /](kg|m|s|rad))*[ /]?((kg|m|s) ?)*(\\^[2-4]|²|³)([ /](s|m|rad|kg)(\\^[23]|²)?)*(/s)?");
   const std::regex sign("sqrt\\(|sin\\(|cos\\(|ln\\||Ω|ω|π|\\bpi\\b|I[123]?/|[\\w)|](\\^|²|³)|\\bw3\\b|Omega");
   const auto is_one_of = [](const std::string& literal, const auto& texts) {
     return std::ranges::any_of(texts, [&](std::string_view text) {
