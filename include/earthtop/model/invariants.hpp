@@ -12,6 +12,9 @@ struct ConservedValue {
   T value;
   T scale;
 };
+/// The name of what `jacobi_integral` gives, for those who used it before there were others.
+template <class T>
+using JacobiIntegral = ConservedValue<T>;
 
 /// The Jacobi integral T(w_IB) + V - L.W (J), with the size T + |m g l| + |L.W|. It is conserved if W is constant and the pivot is
 /// at rest in the laboratory.
