@@ -15,9 +15,7 @@ constexpr LawsIn<T> kTable{
     [](const Scene& scene) {
       return make_release_on_table(scene.scenario().release, scene.table<T>().contact, scene.body<T>(), scene.site());
     },
-    [](const Scene& scene, DriftProblem<T>& problem) {
-      problem.table = in_units(scene.table<T>(), problem.units);
-    }};
+    [](const Scene& scene, DriftProblem<T>& problem) { problem.table = in_units(scene.table<T>(), problem.units); }};
 
 template <class T>
 constexpr LawsIn<T> kPivot{
