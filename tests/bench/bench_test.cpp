@@ -8,6 +8,7 @@
 #include "support/json.hpp"
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -56,7 +57,8 @@ TEST(Bench, ErrorsAreThoseAgainstTheReferenceAndFallWithTheTolerance) {
 
   ASSERT_EQ(report.reference.checkpoints.size(), 11U);
   EXPECT_LT(report.reference.error.axis, 1e-17);  // of the two sources against each other, tolerance 1e-20
-  EXPECT_LT(report.reference.error.drift.value(), 1e-19);
+  EXPECT_LT(report.reference.error.drift.value(),
+            1e-17 * scene.rotation_rate_rad_s * scene.duration_s);  // as many digits of the drift
   ASSERT_EQ(report.entries.size(), contenders.size());
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     const BenchEntry& entry = report.entries[i];
@@ -84,9 +86,10 @@ TEST(Bench, ErrorsAreThoseAgainstTheReferenceAndFallWithTheTolerance) {
   double error = 0;
   for (std::size_t i = 0; i < exact.rows.size(); ++i)
     error = std::max(error, std::abs(exact.rows[i].drift_axis_rad - computed.rows[i].drift_axis_rad));
-  EXPECT_NEAR(coarse.errors.drift.value(), error, 1e-3 * error);
-  EXPECT_LT(report.entries[10].errors.attitude.value(), 1e-12);  // long double: no better than its tolerance, but no worse
-  EXPECT_LT(report.entries[11].errors.attitude.value(), 1e-13);
+  EXPECT_NEAR(coarse.errors.drift.value(), error, exact.drift.axis_bound_rad);
+  // Long double and float128: no better than their tolerance, but no worse.
+  for (const std::size_t i : {10, 11})
+    EXPECT_LT(report.entries[i].errors.attitude.value(), testing::truncation(contenders[i].options.relative_tolerance, 20));
 }
 
 TEST(Bench, TheReferenceOfAnAsymmetricBodyIsCertifiedToo) {
@@ -115,11 +118,11 @@ TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
       const BenchReport report = bench(scene, contenders, options);
       EXPECT_EQ(report.reference.witness, "closed form, float128");
       EXPECT_LT(report.reference.error.attitude.value(), 1e-17);
-      EXPECT_LT(report.reference.error.drift.value_or(0), 1e-17);
-      EXPECT_LT(report.entries[0].errors.attitude.value(), 1e-13);
-      EXPECT_LT(report.entries[1].errors.attitude.value(), 1e-16);
-      EXPECT_LT(report.entries[2].errors.attitude.value(), 1e-9);
-      EXPECT_LT(report.entries[3].errors.drift.value(), 1e-14);
+      EXPECT_LT(report.reference.error.drift.value_or(0), 1e-20);  // the reference's tolerance
+      EXPECT_LT(report.entries[0].errors.attitude.value(), testing::rounding(100));
+      EXPECT_LT(report.entries[1].errors.attitude.value(), testing::rounding<long double>(200));
+      EXPECT_LT(report.entries[2].errors.attitude.value(), testing::truncation(contenders[2].options.relative_tolerance, 100));
+      EXPECT_LT(report.entries[3].errors.drift.value(), testing::rounding(1));
     }
   const std::vector<Contender> none{closed_form(Workload::motion)};
   EXPECT_THROW(bench(testing::asymmetric_top(), none, options), std::invalid_argument);
@@ -147,8 +150,8 @@ TEST(Bench, CostAtAnErrorLiesOnTheLineBetweenTwoEntries) {
   const auto axis = [](const BenchErrors& errors) { return errors.axis; };
   const auto cost = cost_at_error(entries, axis, 1e-10);
   ASSERT_TRUE(cost);
-  EXPECT_NEAR(cost->seconds, std::pow(10, 1.5), 1e-12 * 100);
-  EXPECT_NEAR(cost->evaluations, 1e5, 1e-7);
+  EXPECT_NEAR(cost->seconds, std::pow(10, 1.5), testing::rounding(20) * 100);
+  EXPECT_NEAR(cost->evaluations, 1e5, testing::rounding(20) * 1e5);
   EXPECT_FALSE(cost_at_error(entries, axis, 1e-13));
   EXPECT_FALSE(cost_at_error(entries, axis, 1e-3));
   entries[2].status = RunStatus::step_limit;
@@ -194,7 +197,7 @@ TEST(Bench, AFamilyCostsWhatLiesBetweenItsEntriesOrAtMostItsCheapest) {
   EXPECT_TRUE(coarse->at_most);
   EXPECT_EQ(coarse->seconds, 1);
   EXPECT_FALSE(fine->at_most);
-  EXPECT_NEAR(fine->seconds, std::sqrt(10), 1e-9);
+  EXPECT_NEAR(fine->seconds, std::sqrt(10), testing::rounding(100));
   EXPECT_FALSE(family_cost(report, all[0], ErrorKind::drift, 1e-12));
 }
 
@@ -298,7 +301,7 @@ TEST(Bench, TheCheaperReferenceAgreesWithTheOtherWithinItsStatedError) {
     };
     for (std::size_t i = 0; i < full.reference.checkpoints.size(); ++i)
       EXPECT_LE(distance(i), *cheap.reference.error.drift + *full.reference.error.drift);
-    EXPECT_LT(*cheap.reference.error.drift, 1e-18);
+    EXPECT_LT(*cheap.reference.error.drift, testing::rounding<long double>(1));
     EXPECT_GT(*cheap.reference.error.drift, *full.reference.error.drift);
   }
 }

@@ -5,6 +5,7 @@
 
 #include "drift/table/contact_slip_clock.hpp"
 #include "support/contact_references.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -169,8 +170,8 @@ TEST(ContactSlipStop, OfABallIsAtItsClosedForm) {
   const ContactProblem<double> problem(ball);
   const auto drift = problem.system<Observer::laboratory>();
   const Stop stop = slide_to_stop(problem, drift);
-  EXPECT_NEAR(stop.time_s.ref, 0.1456737447111326, 1e-12);
-  EXPECT_NEAR(stop.time_s.rot, 0.1456750579911984475, 1e-12);
+  EXPECT_NEAR(stop.time_s.ref, 0.1456737447111326, testing::rounding(20));
+  EXPECT_NEAR(stop.time_s.rot, 0.1456750579911984475, testing::rounding(20));
   EXPECT_NEAR(stop.tip[0].ref, 0.1248632097523994, 1e-12);
   EXPECT_NEAR(stop.tip[0].rot, 0.1248643458192840170, 1e-12);
   EXPECT_NEAR(stop.tip[1].rot, -5.545597999252320e-7, 1e-15);

@@ -5,6 +5,7 @@
 #include "drift/table/contact_integration.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_series.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -53,8 +54,8 @@ TEST(ContactStops, LeineAndGlockersTopRollsOn) {
   const double epsilon = run.samples.back().state.epsilon;
   const double p[2] = {9.453646349557655e-7, 2.801364679312270e-5}, n[2] = {-2.017236267302578e-5, 3.454428095376827e-6};
   for (int i = 0; i < 2; ++i) {
-    EXPECT_NEAR(epsilon * at_end.tip_L[i].diff, p[i], 1e-9 * std::hypot(p[0], p[1]));
-    EXPECT_NEAR(epsilon * at_end.axis_L[i].diff, n[i], 1e-9 * std::hypot(n[0], n[1]));
+    EXPECT_NEAR(epsilon * at_end.tip_L[i].diff, p[i], testing::rounding(5000) * std::hypot(p[0], p[1]));
+    EXPECT_NEAR(epsilon * at_end.axis_L[i].diff, n[i], testing::rounding(5000) * std::hypot(n[0], n[1]));
   }
   for (std::size_t i = 0; i < run.samples.size(); ++i) {
     const auto& sample = run.samples[i];

@@ -11,6 +11,7 @@
 
 #include "integrate/taylor/program.hpp"
 #include "integrate/taylor/recorded.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -26,7 +27,7 @@ constexpr int kDirections = 3, kOrders = 8;
 constexpr double kChanges[kDirections][4] = {{1, 0, 0, 0}, {0.25, -1, 0, 0.5}, {0, 0, 1, -0.75}};
 /// Central differences with a step of 1e-9 are wrong by its square times a third derivative, and in 113 bits by rounding over it.
 constexpr double kStep = 1e-9, kDifferences = 1e-14;
-constexpr double kRounding = 1e-30;  // of some hundred operations in 113 bits
+constexpr double kRounding = testing::rounding<T>(100);
 constexpr double kStart[4] = {0.7, 1.3, 0.4, -0.9};
 const T kTime = T(3) / T(10);
 

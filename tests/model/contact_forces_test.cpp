@@ -10,6 +10,7 @@
 
 #include "earthtop/model/contact_release.hpp"
 #include "support/contact_states.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -53,7 +54,7 @@ TEST(ContactFriction, ContensouHasBothLimitsOfAHertzPatchAndStaysNearItBetween) 
     }
   }
   const Friction<double> fast = friction(c, V(1e5, 0, 0), V(0, 0, 7), kUp);
-  EXPECT_NEAR(fast.force_per_normal[0], -0.3, 1e-9);
+  EXPECT_NEAR(fast.force_per_normal[0], -0.3, std::pow(0.01 * 7 / 1e5, 2));  // of second order in spin over slip
   EXPECT_LT(worst_force, 0.14);
   EXPECT_LT(worst_moment, 0.29);
 }

@@ -3,6 +3,7 @@
 
 #include "earthtop/model/invariants.hpp"
 #include "frames/random_cases.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -83,7 +84,7 @@ TEST(Equations, ObserversAgree) {
     if (n == 32) C = largest * steps;
     EXPECT_LE(static_cast<double>(largest), static_cast<double>(float128(1.25) * C / steps)) << n;
     if (n == 256) {
-      EXPECT_LE(static_cast<double>(largest), 1e-6);
+      EXPECT_LE(static_cast<double>(largest), 1e-9);  // 2.4e-11 is what order 4 leaves in so many steps
       // The effect of the Earth's rate on this motion is far larger.
       const auto at_rest = [&](float128, const Motion<float128>& x) {
         return laboratory_equation<float128>(model, x, g, Vec3<float128>::Zero());
@@ -220,7 +221,7 @@ TEST(Invariants, JacobiIntegralIsConservedAndEnergyIsNot) {
     // Rates and their derivatives over rates stay below W; the integral is of the size of its terms.
     const float128 h = float128(1e-5), W = 30, Wh = W * h, scale = integral(x).scale;
     const float128 bound = scale * (W * Wh * Wh * Wh * Wh * Wh * Wh + 512 * real::epsilon<float128>() / h);
-    ASSERT_LT(static_cast<double>(bound), 1e-12);
+    ASSERT_LT(static_cast<double>(bound), testing::rounding<long double>(200));
     EXPECT_TRUE(close<float128>(along_the_flow(model, x, h, [&](const Motion<float128>& at) { return integral(at).value; }),
                                 float128(0), bound));
     if (real::abs(along_the_flow(model, x, h, energy)) > float128(0.1)) ++energies_that_change;

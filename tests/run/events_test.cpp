@@ -13,6 +13,7 @@
 #include "earthtop/scene/scene.hpp"
 #include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -153,7 +154,7 @@ TEST(ThresholdTime, OfANutatingDriftIsTheFirstByLongSteps) {
       ASSERT_EQ(drift.threshold_crossing, ThresholdCrossing::clear);
       EXPECT_NEAR(*drift.threshold_time_s, *expected.threshold_time_s,
                   *drift.threshold_time_bound_s + *expected.threshold_time_bound_s);
-      EXPECT_LT(*drift.threshold_time_bound_s, 1e-4);
+      EXPECT_LT(*drift.threshold_time_bound_s, 1e-8 * s.duration_s);  // eight digits
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "earthtop/frames/earth.hpp"
 #include "support/scenes.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -81,7 +82,7 @@ TEST(HardCases, H17VerticalAxes) {
       // The reference stays exactly vertical, so its azimuth is not defined, nor is the difference.
       EXPECT_EQ(tilt_sine(row.ref_axis_L), 0);
       EXPECT_FALSE(row.drift_azimuth_rad.has_value());
-      EXPECT_NEAR(row.drift_axis_rad, std::abs(row.drift_tilt_rad), 1e-15);
+      EXPECT_NEAR(row.drift_axis_rad, std::abs(row.drift_tilt_rad), testing::rounding(40) * row.drift_axis_rad);
     }
     EXPECT_GT(r.drift.axis_max_rad, 1e-6);
     EXPECT_FALSE(r.drift.secular.has_value());
@@ -112,7 +113,7 @@ TEST(HardCases, H17PassageThroughTheVertical) {
     EXPECT_LT(std::abs(row.axis_L[1]), 1e-13);
     EXPECT_GT(row.axis_L[2], sin_cos_degrees(30.0).cos - 1e-12);
   }
-  EXPECT_LT(r.invariants.at(1).largest_change, 1e-11 * r.invariants.at(1).scale);
+  EXPECT_LT(r.invariants.at(1).largest_change, testing::rounding(100) * r.invariants.at(1).scale);
 }
 
 TEST(HardCases, H18NearlyEqualMomentsGiveNearlyTheSameMotion) {

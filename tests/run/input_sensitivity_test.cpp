@@ -13,6 +13,7 @@
 #include "scene/moved_input.hpp"
 #include "scene/sensitivity_route.hpp"
 #include "support/effect_scenes.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -139,8 +140,12 @@ TEST(InputSensitivity, BothRoutesAgreeWithinTheirBounds) {
     const InputSensitivity &a = result.sensitivities->inputs[i], &b = (*differences)[i];
     EXPECT_LE(std::abs(a.axis_rad - b.axis_rad), a.axis_bound_rad + b.axis_bound_rad) << a.name;
     EXPECT_LE(b.axis_bound_rad, 1e-4 * std::abs(a.axis_rad)) << a.name;
-    EXPECT_NEAR(b.attitude_rad, a.attitude_rad, 1e-5 * std::abs(a.attitude_rad)) << a.name;
-    EXPECT_NEAR(*b.azimuth_rad, *a.azimuth_rad, 1e-5 * std::abs(*a.azimuth_rad)) << a.name;
+    EXPECT_NEAR(b.attitude_rad, a.attitude_rad,
+                testing::truncation(s.numerics.relative_tolerance, 100) * std::abs(a.attitude_rad))
+        << a.name;
+    EXPECT_NEAR(*b.azimuth_rad, *a.azimuth_rad,
+                testing::truncation(s.numerics.relative_tolerance, 1000) * std::abs(*a.azimuth_rad))
+        << a.name;
   }
 }
 

@@ -10,6 +10,7 @@
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
 #include "run/largest.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -175,8 +176,8 @@ TEST(Largest, IsFoundBetweenAnEndAndTheNextLook) {
   std::vector<double> times, values;
   for (double t = 0; t < 4; t += 0.3) times.push_back(t), values.push_back(-(t - 0.1) * (t - 0.1));
   const auto top = largest_of(times, values);
-  EXPECT_NEAR(top->t_s, 0.1, 1e-9);
-  EXPECT_NEAR(top->value, 0, 1e-12);
+  EXPECT_NEAR(top->t_s, 0.1, testing::rounding(5000));
+  EXPECT_NEAR(top->value, 0, testing::rounding(5000));
 }
 
 TEST(Largest, IsNotSoughtAcrossAGap) {
@@ -190,7 +191,7 @@ TEST(Largest, IsNotSoughtAcrossAGap) {
 TEST(Largest, PassesALevelWhereThePolynomialDoes) {
   std::vector<double> times, values;
   for (double t = 0; t < 4; t += 0.3) times.push_back(t), values.push_back(std::exp(t));
-  EXPECT_NEAR(*first_passing(times, values, 10), std::log(10), 1e-8);
+  EXPECT_NEAR(*first_passing(times, values, 10), std::log(10), 1e-11);  // what is left of a polynomial of the looks' high order
   EXPECT_FALSE(first_passing(times, values, 100));
 }
 

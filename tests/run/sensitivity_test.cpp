@@ -13,6 +13,7 @@
 #include "run/sensitivities.hpp"
 #include "scene/sensitivity_route.hpp"
 #include "support/scenes.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -63,12 +64,19 @@ void expect_exact_derivatives(const Scenario& scenario) {
     const auto a = exact_drift(high), b = exact_drift(low);
     const auto expect = [&](const char* name, double derivative, float128 at_high, float128 at_low) {
       const auto expected = static_cast<double>((at_high - at_low) / float128(moved));
-      EXPECT_NEAR(derivative, expected, 1e-8 * std::abs(expected) + 1e-14) << input.name << ", " << name;
+      EXPECT_NEAR(
+          derivative, expected,
+          testing::truncation(scenario.numerics.relative_tolerance) * (std::abs(expected) + static_cast<double>(at_high)))
+          << input.name << ", " << name;
     };
     expect("axis", input.axis_rad, a.axis, b.axis);
     const auto exact = static_cast<double>((a.axis - b.axis) / float128(moved));
-    EXPECT_LE(std::abs(input.axis_rad - exact), input.axis_bound_rad + 1e-14) << input.name;
-    EXPECT_LE(input.axis_bound_rad, 1e-7 * std::abs(exact) + 1e-13) << input.name;
+    EXPECT_LE(std::abs(input.axis_rad - exact),
+              input.axis_bound_rad + testing::truncation(scenario.numerics.relative_tolerance) * static_cast<double>(a.axis))
+        << input.name;
+    EXPECT_LE(input.axis_bound_rad,
+              testing::truncation(scenario.numerics.relative_tolerance, 100) * (std::abs(exact) + static_cast<double>(a.axis)))
+        << input.name;
     expect("attitude", input.attitude_rad, a.attitude, b.attitude);
     expect("tilt", input.tilt_rad, a.tilt, b.tilt);
     ASSERT_TRUE(input.azimuth_rad);
@@ -104,7 +112,7 @@ TEST(Sensitivity, OfASteadyPrecessionMovesItsRateToo) {
   Scenario high = scenario, low = scenario;
   high.site.gravity_m_s2 += 0x1p-30, low.site.gravity_m_s2 -= 0x1p-30;
   const auto expected = static_cast<double>((exact_drift(high).axis - exact_drift(low).axis) / float128(0x1p-29));
-  EXPECT_NEAR(report->inputs[1].axis_rad, expected, 1e-8 * std::abs(expected));
+  EXPECT_NEAR(report->inputs[1].axis_rad, expected, testing::rounding(100) * std::abs(expected));
 }
 
 TEST(Sensitivity, OfAnAttitudeGivenAsAQuaternion) {
@@ -117,7 +125,9 @@ TEST(Sensitivity, OfAnAttitudeGivenAsAQuaternion) {
   quaternion.release.angular_velocity_body_rad_s = {0, 0, angles.release.spin_rad_s};
   const auto a = run(angles).sensitivities, b = run(quaternion).sensitivities;
   for (std::size_t i = 0; i < kCommonInputs; ++i)
-    EXPECT_NEAR(a->inputs[i].axis_rad, b->inputs[i].axis_rad, 1e-8 * std::abs(a->inputs[i].axis_rad)) << a->inputs[i].name;
+    EXPECT_NEAR(a->inputs[i].axis_rad, b->inputs[i].axis_rad,
+                testing::truncation(angles.numerics.relative_tolerance, 100) * std::abs(a->inputs[i].axis_rad))
+        << a->inputs[i].name;
 }
 
 TEST(Sensitivity, ErrorsOfTheInputsAddUpInSquares) {

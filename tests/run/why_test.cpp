@@ -13,6 +13,7 @@
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/model/release.hpp"
 #include "support/changed_scene.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -181,9 +182,9 @@ TEST(Why, AtAPoleTheLaboratorysTurningIsAll) {
       s.release.rates_relative_to = RatesRelativeTo::inertial;
       const RunResult result = run(s);
       const double faster = latitude * spin > 0 ? -kEarthRateWgs84 : kEarthRateWgs84;
-      EXPECT_NEAR(number(result, "laboratory_turns", "faster_by_rad_s"), faster, 1e-9 * kEarthRateWgs84);
-      EXPECT_NEAR(number(result, "what_is_left", "computed_faster_by_rad_s"), faster, 1e-7 * kEarthRateWgs84);
-      EXPECT_NEAR(number(result, "what_is_left", "of_release_faster_by_rad_s"), 0, 1e-6 * kEarthRateWgs84);
+      EXPECT_NEAR(number(result, "laboratory_turns", "faster_by_rad_s"), faster, testing::rounding(20) * kEarthRateWgs84);
+      EXPECT_NEAR(number(result, "what_is_left", "computed_faster_by_rad_s"), faster, testing::rounding(100) * kEarthRateWgs84);
+      EXPECT_NEAR(number(result, "what_is_left", "of_release_faster_by_rad_s"), 0, testing::rounding(20) * kEarthRateWgs84);
       EXPECT_FALSE(says(*find(result, "what_is_left"), "With this release"));
       EXPECT_FALSE(find(result, "cone_leans")) << "there is no North";
     }
@@ -251,10 +252,11 @@ TEST(Why, AFreeGyroscopeTurnsWithTheStars) {
       const auto& first = result.rows.front().axis_L;
       const auto& last = result.rows.back().axis_L;
       const Vec3<double> from(first[0], first[1], first[2]), to(last[0], last[1], last[2]);
-      EXPECT_NEAR(number(result, "turns_with_the_stars", "angle_from_celestial_pole_rad"), std::acos(pole.dot(from)), 1e-9);
+      EXPECT_NEAR(number(result, "turns_with_the_stars", "angle_from_celestial_pole_rad"), std::acos(pole.dot(from)),
+                  testing::rounding(100));
       const Vec3<double> across = from - pole.dot(from) * pole, after = to - pole.dot(to) * pole;
       const double turned = std::atan2(pole.dot(across.cross(after)), across.dot(after));  // counterclockwise about the pole
-      EXPECT_NEAR(turned, -rate * s.duration_s, 1e-9);
+      EXPECT_NEAR(turned, -rate * s.duration_s, testing::rounding(100));
       EXPECT_TRUE(says(*stars, turned > 0 ? ", counterclockwise seen" : ", clockwise seen")) << stars->text;
       EXPECT_NEAR(number(result, "what_is_left", "predicted_rad"), std::acos(from.dot(to)), 1e-9);
     }
@@ -276,8 +278,8 @@ TEST(Why, ASleepingTopLeansWhereTheTorquesBalance) {
       EXPECT_TRUE(says(*rest, south > 0 ? "to the South" : "to the North")) << rest->text;
       EXPECT_TRUE(says(*left, south > 0 ? "to the South" : "to the North")) << left->text;
       const double coriolis = 4e-5 * 300 * kEarthRateWgs84 * std::cos(latitude * kDegree);
-      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), coriolis, 1e-9 * coriolis);
-      EXPECT_NEAR(number(result, "rest_leans", "gravity_torque_N_m"), coriolis, 1e-9 * coriolis);
+      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), coriolis, testing::rounding(40) * coriolis);
+      EXPECT_NEAR(number(result, "rest_leans", "gravity_torque_N_m"), coriolis, testing::rounding(40) * coriolis);
     }
 }
 
@@ -354,16 +356,18 @@ TEST(Why, AGyrocompassSwingsAboutNorthInItsPeriod) {
       }
       ASSERT_GE(passed_s.size(), 3u);
       const double period = passed_s[2] - passed_s[0];
-      EXPECT_NEAR(number(result, "swings_about_north", "period_s"), period, 1e-3 * period);
-      EXPECT_NEAR(number(result, "swings_about_north", "amplitude_rad"), 4 * kDegree, 1e-9);
-      EXPECT_NEAR(number(result, "what_is_left", "swings"), 130 / period, 1e-3 * 130 / period);
+      // Straight lines between rows a step apart leave a share of it that is the square of the phase in between.
+      const double left = std::pow(2 * std::numbers::pi * 0.05 / period, 2) * 0.05;
+      EXPECT_NEAR(number(result, "swings_about_north", "period_s"), period, left);
+      EXPECT_NEAR(number(result, "swings_about_north", "amplitude_rad"), 4 * kDegree, testing::rounding(20));
+      EXPECT_NEAR(number(result, "what_is_left", "swings"), 130 / period, left / period * 130 / period);
       EXPECT_TRUE(says(*swings, north > 0 ? "the axis to the North:" : "the axis to the South, and its spin to the North:"));
       const auto& q_LB = result.rows[0].q_LB;
       const auto entry =
           ledger_entry(LedgerObserver::laboratory, result.modelled.model<double>(), 0.0,
                        Quaternion<double>{q_LB[0], Vec3<double>(q_LB[1], q_LB[2], q_LB[3])}, Vec3<double>(0, 0, spin));
       EXPECT_NEAR(number(result, "gimbal_holds", "coriolis_torque_N_m"), std::abs(entry.tau_cor_A[2]),
-                  1e-5 * std::abs(entry.tau_cor_A[2]));
+                  testing::rounding(40) * std::abs(entry.tau_cor_A[2]));
     }
 }
 
@@ -402,7 +406,7 @@ TEST(Why, ABallThatSpinsRollsAsItsPathShows) {
                   number(result, "what_is_left", "predicted_error_m"));
       EXPECT_LT(number(result, "what_is_left", "predicted_error_m"), 0.003 * std::abs(north));
       const double torque = 5e-5 * 150 * kEarthRateWgs84 * std::cos(latitude * kDegree);
-      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), torque, 1e-9 * torque);
+      EXPECT_NEAR(number(result, "coriolis_torque", "coriolis_torque_N_m"), torque, testing::rounding(40) * torque);
       EXPECT_TRUE(find(result, "earth_turns"));
     }
 }
@@ -422,13 +426,13 @@ TEST(Why, ASleepingTopThatRollsWalksAsItsPathShows) {
       const double speed = (n * tx - t * x) / (n * tt - t * t);
       EXPECT_GT(speed, 0) << "to the West in both hemispheres, whichever the sense of spin";
       EXPECT_TRUE(says(*walks, "to the West")) << walks->text;
-      EXPECT_NEAR(number(result, "walks_west", "computed_west_m_s"), speed, 1e-6 * speed);
+      EXPECT_NEAR(number(result, "walks_west", "computed_west_m_s"), speed, testing::rounding(5000) * speed);
       EXPECT_NEAR(number(result, "walks_west", "predicted_west_m_s"), speed, 0.02 * speed);
       EXPECT_GT(south * spin, 0);
       EXPECT_TRUE(says(*leans, south > 0 ? "to the South" : "to the North")) << leans->text;
       const double lean = 6e-5 * spin * kEarthRateWgs84 * std::cos(latitude * kDegree) / (0.2 * 9.80665 * 0.025);
-      EXPECT_NEAR(number(result, "rest_leans", "lean_south_rad"), lean, 1e-5 * std::abs(lean));
-      EXPECT_NEAR(number(result, "rest_leans", "mean_lean_south_rad"), south, 1e-9 * std::abs(south));
+      EXPECT_NEAR(number(result, "rest_leans", "lean_south_rad"), lean, testing::rounding(40) * std::abs(lean));
+      EXPECT_NEAR(number(result, "rest_leans", "mean_lean_south_rad"), south, testing::rounding(20) * std::abs(south));
       const double walked = -result.rows.back().contact->drift_tip_xy_m[0], off = number(result, "what_is_left", "off_m");
       EXPECT_NEAR(number(result, "what_is_left", "walked_west_m"), walked, 2 * off);
       EXPECT_LT(off, 0.02 * walked);
