@@ -4,7 +4,6 @@
 
 #include "support/contact_event_times.hpp"
 #include "support/json.hpp"
-#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "earthtop/model/contact_release.hpp"
 #include "support/contact_states.hpp"
-#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {

@@ -13,7 +13,6 @@
 #include "earthtop/scene/scene.hpp"
 #include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
-#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {

@@ -64,9 +64,9 @@ void expect_exact_derivatives(const Scenario& scenario) {
     const auto a = exact_drift(high), b = exact_drift(low);
     const auto expect = [&](const char* name, double derivative, float128 at_high, float128 at_low) {
       const auto expected = static_cast<double>((at_high - at_low) / float128(moved));
-      EXPECT_NEAR(
-          derivative, expected,
-          testing::truncation(scenario.numerics.relative_tolerance) * (std::abs(expected) + static_cast<double>(at_high)))
+      EXPECT_NEAR(derivative, expected,
+                  testing::truncation(scenario.numerics.relative_tolerance) *
+                      (std::abs(expected) + static_cast<double>(real::abs(at_high))))
           << input.name << ", " << name;
     };
     expect("axis", input.axis_rad, a.axis, b.axis);

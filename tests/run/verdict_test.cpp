@@ -11,7 +11,6 @@
 #include "earthtop/results/headline.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scene/scene.hpp"
-#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {

@@ -37,8 +37,8 @@ TEST(EstimateTrend, TakesTheSwingsOutOfALine) {
     const TrendEstimate estimate = estimate_trend(drift, step, {p + rate, n});  // the drift counts azimuths clockwise
     const double error = std::abs(estimate.rate_rad_s - rate);
     EXPECT_LE(error, estimate.bound_rad_s) << turns;
-    // A straight line alone is off by 6 A sin(phase) / (pi N T), about a swing per duration.
-    EXPECT_LT(estimate.bound_rad_s, 0.05 * 3e-5 / (step * (count - 1))) << turns;
+    // A straight line alone is off by 6 A sin(phase) / (pi N T), about a swing per duration. Of that a millionth is left.
+    EXPECT_LT(estimate.bound_rad_s, 1e-6 * 3e-5 / (step * (count - 1))) << turns;
   }
 }
 
