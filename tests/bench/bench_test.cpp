@@ -301,7 +301,7 @@ TEST(Bench, TheCheaperReferenceAgreesWithTheOtherWithinItsStatedError) {
     };
     for (std::size_t i = 0; i < full.reference.checkpoints.size(); ++i)
       EXPECT_LE(distance(i), *cheap.reference.error.drift + *full.reference.error.drift);
-    EXPECT_LT(*cheap.reference.error.drift, testing::rounding<long double>(1));
+    EXPECT_LT(*cheap.reference.error.drift, 1e-20);  // some roundings of the drift in long double
     EXPECT_GT(*cheap.reference.error.drift, *full.reference.error.drift);
   }
 }

@@ -221,7 +221,7 @@ TEST(PaperTorques, PivotAccelerationAgainstDifferentiation) {
       const PivotAcceleration<Q> a = pivot_acceleration(platform, W_L, W_L, t);
       const Vec3<Q> of_platform_L = test::second_derivative(position_L, t, kObserverStep);
       const Q bound = difference_bound(rate + Q(8), 2, Q(2));
-      ASSERT_LT(static_cast<double>(bound), testing::rounding<long double>(10));
+      ASSERT_LT(static_cast<double>(bound), testing::rounding(0.01));
       EXPECT_TRUE(close<Q>(a.of_platform_L, of_platform_L, bound));
       EXPECT_TRUE(close<Q>(a.of_earth_rate_L, Vec3<Q>(test::second_derivative(position_I, t, kObserverStep) - of_platform_L),
                            Q(2) * bound));

@@ -8,7 +8,8 @@
 namespace earthtop::testing {
 
 /// So many roundings, each of half a unit in the last place, all in one direction: for two ways to compute the same number in `T`,
-/// which would agree in exact arithmetic. Relative to the largest number that is rounded; of a sum that cancels, to its terms.
+/// which would agree in exact arithmetic. Relative to the largest number that is rounded; of a sum that cancels, to its terms. A
+/// share of one operation is for what other numbers in `T` are held against.
 template <class T = double>
 constexpr double rounding(double operations) {
   return operations * static_cast<double>(real::epsilon<T>()) / 2;
