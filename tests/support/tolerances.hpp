@@ -7,9 +7,9 @@
 
 namespace earthtop::testing {
 
-/// So many roundings, each of half a unit in the last place, all in one direction: for two ways to compute the same number in `T`,
-/// which would agree in exact arithmetic. Relative to the largest number that is rounded; of a sum that cancels, to its terms. A
-/// share of one operation is for what other numbers in `T` are held against.
+/// So many roundings, each of half a unit in the last place, all in one direction: for two ways to compute the same number in
+/// `T`, which would agree in exact arithmetic. Relative to the largest number that is rounded; of a sum that cancels, to its
+/// terms. A share of one operation is for what other numbers in `T` are held against.
 template <class T = double>
 constexpr double rounding(double operations) {
   return operations * static_cast<double>(real::epsilon<T>()) / 2;
@@ -19,8 +19,8 @@ constexpr double rounding(double operations) {
 /// tolerance is that which was asked for, by its name.
 constexpr double truncation(double tolerance, double steps = 1) { return steps * tolerance; }
 
-/// Half a unit in the last of so many significant digits of a printed number of order `scale`: for values from the literature and
-/// from other programs.
+/// Half a unit in the last of so many significant digits of a printed number of order `scale`: for values from the literature
+/// and from other programs.
 constexpr double reference(int digits, double scale = 1) {
   double half = 0.5 * scale;
   for (int i = 1; i < digits; ++i) half /= 10;
