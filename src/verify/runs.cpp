@@ -23,9 +23,9 @@ const RunResult& Runs::run(const Changes& changes) {
 }
 
 Watch Runs::next_watch() {
-  constexpr double kMost = 0.7;
+  constexpr double kShareOfTheRest = 0.7;
   const double begun = share_;
-  share_ += kMost * (1 - share_);
+  share_ += kShareOfTheRest * (1 - share_);
   return watch_.part(begun, share_);
 }
 

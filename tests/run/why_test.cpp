@@ -18,7 +18,7 @@
 namespace earthtop {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180, kArcsecond = kDegree / 3600;
+constexpr double kDegree = std::numbers::pi / 180;
 
 Scenario toy_top(double latitude_deg, double spin_rad_s) {
   Scenario s;

@@ -376,9 +376,9 @@ TEST(ContactKeys, ARegularisationThatStepsCannotFollowIsRefused) {
   EXPECT_EQ(report_of(kExact).scene->touchdown().relaxation_rate_per_s(), 0);
   EXPECT_EQ(report_of(kRolling).scene->touchdown().relaxation_rate_per_s(), 0);
   // 8 R w / (3 pi) takes the place of eps.
-  EXPECT_NEAR(
-      report_of(kContensou, upright).scene->touchdown().relaxation_rate_per_s() * (8 * 3e-5 * 200 / (3 * 3.141592653589793)) / expected,
-      1, by_earth);
+  EXPECT_NEAR(report_of(kContensou, upright).scene->touchdown().relaxation_rate_per_s() *
+                  (8 * 3e-5 * 200 / (3 * 3.141592653589793)) / expected,
+              1, by_earth);
 }
 
 TEST(ContactKeys, MistakesOfUnitAreWarnedOf) {
