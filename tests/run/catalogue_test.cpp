@@ -119,7 +119,7 @@ TEST(Catalogue, ThePaceCountsWhateverRubs) {
     scene.add(with);
     const AppliedTorquesSpec& applied = with.effects.applied;
     const bool rubs = applied.friction() || (applied.gimbal && applied.gimbal->damping_N_m_s > 0);
-    const Pace& pace = Scene(with).pace();
+    const Pace pace = Scene(with).pace();
     EXPECT_EQ(pace.damping > 0 || pace.halts > 0, rubs);
   }
 }
