@@ -44,7 +44,8 @@ void give_up_reserve() {
 /// Where an exception leaves a function that may throw none, or where one is thrown before `main`, nothing can be cleared up
 /// any more except for the temporary files.
 [[noreturn]] void end_without_memory() noexcept {
-  bool lacks_memory = g_has_lacked;  // libraries may end the program without an exception then
+  // Libraries may end the program without an exception then; before `main` an exception itself may find no memory.
+  bool lacks_memory = g_has_lacked || g_words.front().written == nullptr;
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {

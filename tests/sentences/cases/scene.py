@@ -288,7 +288,7 @@ ON_TABLE = [
     Case("run s.json", "they would take about", TABLE,
          set={"/report/sensitivities": True, "/contact/spinning_friction_m": 1e-6, "/contact/regularisation_rad_s": 1e-9,
               "/motion/duration_s": 2}, unless={"/report/sensitivities": False},
-         holds=lambda text: numbers(text, "they would take about # hours; at most 20 minutes are spent")[0] > 1 / 3),
+         holds=lambda text: numbers(text, "they would take about # minutes; at most 20 minutes are spent")[0] > 20),
 ]
 
 # The budget of effects.
