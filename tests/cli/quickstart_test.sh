@@ -5,13 +5,14 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 clone=$(mktemp -d)
+trap 'rm -rf "$clone"' EXIT
 git clone -q --no-hardlinks "$here/../.." "$clone"
 before=$SECONDS
 "$clone/tools/quickstart.sh"
 echo "The quick start took $((SECONDS - before)) s of wall time."
 [[ -s $clone/out/toy-top/drift.svg ]]
 again=$SECONDS
-"$clone/tools/quickstart.sh" | grep -q 'Built in'
+"$clone/tools/quickstart.sh" >/dev/null
 [[ $((SECONDS - again)) -lt 60 ]] # a second call builds nothing
 set +e
 
@@ -30,7 +31,7 @@ for precision in long_double float128; do
   expect 1 check "$top" --set /numerics/precision=$precision
   on_stderr "/numerics/precision: \"$precision\" $refused"
 done
-expect 2 bench "$top" --method taylor
+expect 2 bench "$top" --methods taylor
 on_stderr "a bench compares with a reference in extended precision: \"float128\" $refused"
 expect 2 verify "$clone/scenarios/hard/h03-no-earth-rate.json" # one of its criteria runs in long double
 on_stderr "/criteria/2/set: makes a scenario in which /numerics/precision \"long_double\" $refused"
