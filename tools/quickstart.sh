@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # From a fresh checkout to a first result: installs missing packages, builds only the program, runs scenarios/toy-top.json, and
-# prints where the picture of its drift is. A second call builds nothing. Extended precision, a quarter of the work, is left for later, unless
+# prints where the picture of its drift is. A second call builds nothing. Extended precision, a fifth of the work, is left for later, unless
 # it has been built.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of the integrations in extended precision, where the library is built for double alone (EARTHTOP_EXTENDED_PRECISION=OFF): they
-// take a quarter of the time to build everything. Whoever asks for one is told how to get it.
+// In place of the integrations in extended precision, where the library is built for double alone (EARTHTOP_EXTENDED_PRECISION=OFF),
+// which saves a fifth of the time to build the program. Whoever asks for one is told how to get it.
 #include "drift/table/contact_integration.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/error.hpp"

@@ -19,7 +19,7 @@ using Samples = std::vector<DriftSample<T>>;
 
 constexpr SupportReports kTable{growth_on_table, why::tell_on_table}, kPivot{growth_on_pivot, why::tell_on_pivot};
 
-/// It is that of the rate at release, because the nudge on a table is little more, and the angle of spin makes the most of it.
+/// The attitude's rounding on a table is that of the rate at release, because the nudge on a table is little more, and the angle of spin makes the most of it.
 template <class T>
 double turned_on_table(const DriftSample<T>& sample, std::size_t, double) {
   constexpr int kTurnUnits = 4;  // in the last place of a rate
@@ -27,7 +27,7 @@ double turned_on_table(const DriftSample<T>& sample, std::size_t, double) {
          static_cast<double>(sample.state.t_s);
 }
 
-/// It is that of an axis which goes round fast: each step turns the axis by a rounding, and the rate of precession depends on its tilt.
+/// The attitude's rounding on a pivot is that of an axis which goes round fast: each step turns the axis by a rounding, and the rate of precession depends on its tilt.
 /// (A top in steady fast precession had errors of 1.8e-12 rad in both integrations, which were 1.3e-13 apart.)
 template <class T>
 double turned_on_pivot(const DriftSample<T>& sample, std::size_t steps, double duration_s) {
