@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "integrate/odeint_pow.hpp"  // must come first: it redirects std::pow
+//
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {

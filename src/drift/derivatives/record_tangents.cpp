@@ -13,7 +13,7 @@
 namespace earthtop {
 namespace {
 
-using R = real::Recorded<double>;
+using Recorded = real::Recorded<double>;
 
 /// Takes a coefficient with its derivatives to a parameter of the recording, or to a number if it has none.
 class ToParameter {
@@ -21,16 +21,16 @@ class ToParameter {
   ToParameter(taylor::Recording<double>& recording, std::vector<double>& derivatives, const BesideJets& beside)
       : recording_(recording), derivatives_(derivatives), beside_(beside) {}
 
-  R operator()(const Jet& jet) const {
+  Recorded operator()(const Jet& jet) const {
     if (std::ranges::all_of(jet.d, [](double d) { return d == 0; })) return jet.value;
     derivatives_.insert(derivatives_.end(), jet.d.begin(), jet.d.end());
     return {recording_, recording_.parameter(jet.value)};
   }
-  std::shared_ptr<const AngleSpline<R>> operator()(const std::shared_ptr<const AngleSpline<Jet>>&) const {
+  std::shared_ptr<const AngleSpline<Recorded>> operator()(const std::shared_ptr<const AngleSpline<Jet>>&) const {
     return ToRecorded<double>()(beside_.model.platform.turn.table);
   }
-  TideSeries<R> operator()(const TideSeries<Jet>&) const {
-    TideSeries<R> tide(beside_.model.tide);
+  TideSeries<Recorded> operator()(const TideSeries<Jet>&) const {
+    TideSeries<Recorded> tide(beside_.model.tide);
     for (std::size_t k = 0; k < beside_.inputs.size(); ++k) {
       if (beside_.inputs[k].tide.empty()) continue;
       Jet strength = 0.0;
@@ -52,7 +52,7 @@ struct FollowedOnTable {
   using Shape = typename Pair::Shape;
   Pair pair;
   template <std::size_t N>
-  void operator()(const std::array<R, N>& x, std::array<R, N>& dxdt, const R& t) const {
+  void operator()(const std::array<Recorded, N>& x, std::array<Recorded, N>& dxdt, const Recorded& t) const {
     typename Pair::State both{}, rate;
     std::ranges::copy(x, both.begin());
     pair(both, rate, t);
@@ -63,14 +63,14 @@ struct FollowedOnTable {
 template <class Pair>
 FollowedOnTable(Pair) -> FollowedOnTable<Pair>;
 
-ContactReducedEquations<R, Observer::laboratory> made_of(const ContactReducedEquations<Jet, Observer::laboratory>& equations,
-                                                         const Model<R>& model, const Contact<R>& contact,
-                                                         const Quaternion<R>& q_LH, const ToParameter& to) {
+ContactReducedEquations<Recorded, Observer::laboratory> made_of(
+    const ContactReducedEquations<Jet, Observer::laboratory>& equations, const Model<Recorded>& model,
+    const Contact<Recorded>& contact, const Quaternion<Recorded>& q_LH, const ToParameter& to) {
   return {model, contact, q_LH, to(equations.w3())};
 }
-ContactGeneralEquations<R, Observer::laboratory> made_of(const ContactGeneralEquations<Jet, Observer::laboratory>&,
-                                                         const Model<R>& model, const Contact<R>& contact,
-                                                         const Quaternion<R>& q_LH, const ToParameter&) {
+ContactGeneralEquations<Recorded, Observer::laboratory> made_of(const ContactGeneralEquations<Jet, Observer::laboratory>&,
+                                                                const Model<Recorded>& model, const Contact<Recorded>& contact,
+                                                                const Quaternion<Recorded>& q_LH, const ToParameter&) {
   return {model, contact, q_LH};
 }
 
@@ -88,9 +88,9 @@ template <class Equations>
 taylor::Operations<double> record_on_table(const Equations& equations, OnTable motions, const BesideJets& beside,
                                            std::span<const double> x, double t) {
   const auto make = [&](const ToParameter& to) {
-    Model<R> model;
-    Contact<R> contact;
-    Quaternion<R> q_LH;
+    Model<Recorded> model;
+    Contact<Recorded> contact;
+    Quaternion<Recorded> q_LH;
     convert(equations.model(), model, to), convert(equations.contact(), contact, to), convert(equations.q_LH(), q_LH, to);
     return FollowedOnTable{made_of(equations, model, contact, q_LH, to)};
   };
@@ -102,10 +102,10 @@ taylor::Operations<double> record_on_table(const Equations& equations, OnTable m
 
 taylor::Operations<double> record_tangents(const Model<Jet>& model, const BesideJets& beside, std::span<const double> x,
                                            double t) {
-  Model<R> made;
+  Model<Recorded> made;
   const auto make = [&](const ToParameter& to) {
     convert(model, made, to);
-    return DriftSystem<R, Observer::body, SceneKind::full, RotatingMotion::composed>(made);
+    return DriftSystem<Recorded, Observer::body, SceneKind::full, RotatingMotion::composed>(made);
   };
   return record<DriftShape<RotatingMotion::composed>::kSize>(make, beside, x, t);
 }
@@ -113,7 +113,7 @@ taylor::Operations<double> record_tangents(const Model<Jet>& model, const Beside
 taylor::Operations<double> record_tangents(const DrivenReducedEquations<Jet, Observer::laboratory>& equations,
                                            const BesideJets& beside, std::span<const double> x, double t) {
   const auto make = [&](const ToParameter& to) {
-    DrivenReducedEquations<R, Observer::laboratory> made;
+    DrivenReducedEquations<Recorded, Observer::laboratory> made;
     convert(equations, made, to);
     return made;
   };
