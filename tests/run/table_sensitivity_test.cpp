@@ -63,17 +63,16 @@ void expect_those_of_differences(const Scenario& scenario, const char* name) {
   ASSERT_TRUE(differences) << name;
   for (std::size_t i = 0; i < report.inputs.size(); ++i) {
     const InputSensitivity &a = report.inputs[i], &b = (*differences)[i];
-    // Differences of a derivative that is nearly 0 are good to a share of the drift by the input's own size.
-    const double least = 1e-9 * row.drift_axis_rad / std::abs(a.value);
+    const double within = a.axis_bound_rad + b.axis_bound_rad;
     const auto expect_near = [&](double tangent, double difference, const char* what) {
-      EXPECT_NEAR(tangent, difference, 1e-6 * std::abs(difference) + least) << name << ": " << what << " by " << a.name;
+      EXPECT_NEAR(tangent, difference, within) << name << ": " << what << " by " << a.name;
       EXPECT_NE(tangent, 0) << name << ": " << what << " by " << a.name;
     };
     ASSERT_EQ(b.unavailable, "") << name << ": " << b.name;
     expect_near(a.axis_rad, b.axis_rad, "axis"), expect_near(a.attitude_rad, b.attitude_rad, "attitude");
     expect_near(a.tilt_rad, b.tilt_rad, "tilt"), expect_near(*a.azimuth_rad, *b.azimuth_rad, "azimuth");
-    EXPECT_LE(std::abs(a.axis_rad - b.axis_rad), a.axis_bound_rad + b.axis_bound_rad) << name << ": " << a.name;
-    EXPECT_LE(a.axis_bound_rad, 1e-8 * std::abs(a.axis_rad)) << name << ": " << a.name;
+    EXPECT_LE(a.axis_bound_rad, 1e-8 * std::abs(a.axis_rad)) << name << ": " << a.name;  // the worst is 5e-10
+    EXPECT_LE(b.axis_bound_rad, 1e-3 * std::abs(b.axis_rad)) << name << ": " << b.name;  // else it could not judge the tangents
   }
 }
 
@@ -115,7 +114,8 @@ TEST(TableSensitivity, OfExactDryFrictionHasTangentsWhereTheTipDoesNotSlip) {
   ASSERT_EQ(dry_inputs.size(), rolling.size() + 1);
   for (std::size_t i = 0; i < rolling.size(); ++i) {
     EXPECT_EQ(dry_inputs[i].name, rolling[i].name);
-    EXPECT_NEAR(dry_inputs[i].axis_rad, rolling[i].axis_rad, 1e-12 * std::abs(rolling[i].axis_rad)) << rolling[i].name;
+    EXPECT_NEAR(dry_inputs[i].axis_rad, rolling[i].axis_rad, dry_inputs[i].axis_bound_rad + rolling[i].axis_bound_rad)
+        << rolling[i].name;
   }
   EXPECT_EQ(dry_inputs.back().axis_rad, 0);
 }
