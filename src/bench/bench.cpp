@@ -97,7 +97,7 @@ void prepare(const Contender& contender, const Scene& scene, const std::vector<d
 /// @throws std::invalid_argument for a method that does not fit the scene
 /// @param scene  without numerics of its own
 void require_fit(const Contender& contender, const Scene& scene) {
-  if (const std::string_view reason = scene.support().no_timing; !reason.empty())
+  if (const std::string_view reason = scene.support().no_motion_alone; contender.workload != Workload::drift && !reason.empty())
     throw std::invalid_argument("bench: " + std::string(reason));
   if (contender.peer) {
     if (!scene.is_plain()) throw std::invalid_argument("bench: no peer can integrate this scenario");

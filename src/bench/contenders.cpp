@@ -2,17 +2,14 @@
 // The standard contenders of a scenario.
 #include <algorithm>
 
+#include "bench/table_equations.hpp"
 #include "earthtop/bench/bench.hpp"
 
 namespace earthtop {
 namespace {
 
-/// A set of variables and their equations: the observer and the form.
-struct Equations {
-  Observer observer;
-  ModelForm form;
-};
-std::vector<Equations> equations_of(const MethodRow& row) {
+std::vector<Equations> equations_of(const MethodRow& row, const Scene& scene) {
+  if (scene.support().has_contact) return equations_on_table(scene);
   constexpr Equations kReduced{Observer::laboratory, ModelForm::reduced}, kBody{Observer::body, ModelForm::general};
   constexpr Equations kLaboratory{Observer::laboratory, ModelForm::general}, kOwn{Observer::laboratory, ModelForm::automatic};
   switch (row.equations) {
@@ -40,7 +37,11 @@ std::vector<double> tolerances(const MethodRow& row, Precision precision) {
 class Contenders {
  public:
   Contenders(const Scene& scene, Workload workload)
-      : scene_(scene), as_asked_(without_numerics(scene)), workload_(workload), reducible_(scene.is_reducible()) {
+      : scene_(scene),
+        as_asked_(without_numerics(scene)),
+        workload_(workload),
+        is_on_table_(scene.support().has_contact),
+        reducible_(is_on_table_ || scene.is_reducible()) {
     if (workload == Workload::axis && scene.symmetry_axis() != 2) reducible_ = false;
   }
 
@@ -64,13 +65,11 @@ class Contenders {
     if (row.composes)
       compositions.insert(compositions.end(), {Composition::aba864, Composition::aba1064, Composition::kahan_li8});
     for (const Composition composition : compositions)
-      for (const Equations& equations : equations_of(row)) {
+      for (const Equations& equations : equations_of(row, scene_)) {
         if (equations.form == ModelForm::reduced && !reducible_) continue;
         for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
-          if (!is_built(row.method, precision)) continue;
-          if (precision != Precision::bits53 && equations.observer == Observer::laboratory &&
-              equations.form == ModelForm::general)
-            continue;
+          if (!is_built(row.method, precision) || in_precision(precision).method_refusal(row.method)) continue;
+          if (precision != Precision::bits53 && is_extra(equations)) continue;
           for (const double tolerance : tolerances(row, precision)) {
             IntegrationOptions options = options_of(row, equations);
             options.composition = composition;
@@ -83,12 +82,18 @@ class Contenders {
 
   /// A method whose step has to be given takes some hundredths of a radian of the fastest motion.
   void add_fixed_steps(const MethodRow& row) {
-    for (const Equations& equations : equations_of(row))
+    for (const Equations& equations : equations_of(row, scene_))
       for (const double radians : {0.1, 0.05, 0.02}) {
         IntegrationOptions options = options_of(row, equations);
         options.step_s = radians / scene_.fastest_rate_rad_s();
         contenders_.push_back({workload_, options, Precision::bits53});
       }
+  }
+
+  /// Equations that are tried in double precision alone.
+  bool is_extra(const Equations& equations) const {
+    if (is_on_table_) return equations.observer != Observer::laboratory;
+    return equations.observer == Observer::laboratory && equations.form == ModelForm::general;
   }
 
   static IntegrationOptions options_of(const MethodRow& row, const Equations& equations) {
@@ -115,6 +120,11 @@ class Contenders {
   static Scene without_numerics(const Scene& scene) {
     Scenario scenario = scene.scenario();
     scenario.numerics = {};
+    return resolve(std::move(scenario));
+  }
+  Scene in_precision(Precision precision) const {
+    Scenario scenario = as_asked_.scenario();
+    scenario.precision = precision;
     return resolve(std::move(scenario));
   }
 
@@ -147,7 +157,7 @@ class Contenders {
   const Scene& scene_;
   Scene as_asked_;
   Workload workload_;
-  bool reducible_;
+  bool is_on_table_, reducible_;
   std::vector<Contender> contenders_;
 };
 

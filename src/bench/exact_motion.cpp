@@ -4,13 +4,14 @@
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 
 namespace earthtop {
 
 template <class T>
 ExactLaboratoryMotion<T> exact_laboratory_motion(const Scene& scene) {
   const Model<T>& model = scene.model<T>();
-  if (!has_closed_form(exact_kind(model))) return {};
+  if (!scene.support().is_fixed_pivot || !has_closed_form(exact_kind(model))) return {};
   const Release<T>& release = scene.release<T>();
   const Vec3<T> W_L = model.W_IL_L;
   Vec3<T> w_IB_B = release.w_XB_B;

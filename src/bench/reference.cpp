@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "bench/errors.hpp"
 #include "bench/exact_motion.hpp"
+#include "bench/table_equations.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
 
@@ -16,29 +16,34 @@ namespace {
 /// How source or witness is computed.
 struct Recipe {
   Method method;
-  Observer observer;
-  ModelForm form;
+  Equations equations;
 };
 struct Plan {
   Recipe source, witness;
   double tolerance;
 };
 
-/// In 113 bits the source is the general model with the method that needs a tenth of the evaluations; in 64 bits it is the
-/// Taylor series, of the reduced equations if possible. The witness has other variables, other equations and another method.
+/// In 113 bits the source is the general model with the method that needs a tenth of the evaluations; in 64 bits, and on a table, it is
+/// the Taylor series, of the reduced equations if possible. The witness has another method and, where there are any, other variables
+/// and other equations.
 Plan plan_of(const Scene& scene, Precision precision) {
+  const double tolerance = precision == Precision::bits113 ? 1e-20 : 1e-17;
+  if (scene.support().has_contact) {
+    const std::vector<Equations> equations = equations_on_table(scene);
+    return {{Method::taylor, equations.front()}, {Method::extrapolation, equations.back()}, tolerance};
+  }
   const bool reducible = scene.is_reducible();
-  const Recipe extrapolation{Method::extrapolation, Observer::body, ModelForm::general};
+  const Recipe extrapolation{Method::extrapolation, {Observer::body, ModelForm::general}};
   const ModelForm form = reducible ? ModelForm::reduced : ModelForm::general;
-  if (precision == Precision::bits113) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-20};
-  if (scene.method_refusal(Method::taylor)) return {extrapolation, {Method::rkf78, Observer::inertial, form}, 1e-17};
-  if (reducible) return {{Method::taylor, Observer::laboratory, form}, extrapolation, 1e-17};
-  return {{Method::taylor, Observer::body, form}, {Method::extrapolation, Observer::inertial, form}, 1e-17};
+  if (precision == Precision::bits113 || scene.method_refusal(Method::taylor))
+    return {extrapolation, {Method::rkf78, {Observer::inertial, form}}, tolerance};
+  if (reducible) return {{Method::taylor, {Observer::laboratory, form}}, extrapolation, tolerance};
+  return {{Method::taylor, {Observer::body, form}}, {Method::extrapolation, {Observer::inertial, form}}, tolerance};
 }
 
 std::string in_words(const Recipe& recipe, Precision precision, double tolerance) {
-  return fmt::format("{} of the {} model in {} axes, {}, tolerance {:.0e}", to_string(recipe.method), to_string(recipe.form),
-                     to_string(recipe.observer), to_string(precision), tolerance);
+  return fmt::format("{} of the {} model in {} axes, {}, tolerance {:.0e}", to_string(recipe.method),
+                     to_string(recipe.equations.form), to_string(recipe.equations.observer), to_string(precision), tolerance);
 }
 
 template <class T>
@@ -48,15 +53,16 @@ std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<
   problem.times_s = times_s;
   IntegrationOptions options;
   options.method = recipe.method;
-  options.observer = recipe.observer;
-  options.form = recipe.form;
+  options.observer = recipe.equations.observer;
+  options.form = recipe.equations.form;
   options.relative_tolerance = tolerance;
   const DriftTrajectory<T> trajectory = integrate_drift(problem, options, watch);
   if (trajectory.status == RunStatus::interrupted)
-    throw std::runtime_error("no reference: it takes far longer than was estimated; a shorter duration has one sooner");
+    throw ScenarioError("", "no reference: it takes far longer than was estimated; a shorter duration has one sooner");
   if (trajectory.status != RunStatus::completed)
-    throw std::runtime_error(fmt::format("no reference: {} in extended precision ended with {}", to_string(recipe.method),
-                                         to_string(trajectory.status)));
+    throw ScenarioError(
+        "", fmt::format("no reference: {} in extended precision ended with {} after {:.6g} s; take a shorter duration",
+                        to_string(recipe.method), to_string(trajectory.status), times_s[trajectory.samples.size() - 1]));
   std::vector<Checkpoint> checkpoints;
   checkpoints.reserve(trajectory.samples.size());
   for (const auto& sample : trajectory.samples) checkpoints.push_back(checkpoint_of(sample));
@@ -95,8 +101,8 @@ double estimated_seconds_of(const Scene& scene, const Recipe& recipe, double tol
   Scenario scenario = scene.scenario();
   scenario.numerics = {};
   scenario.numerics.method = recipe.method;
-  scenario.numerics.observer = recipe.observer;
-  if (recipe.form == ModelForm::general) scenario.numerics.form = recipe.form;
+  scenario.numerics.observer = recipe.equations.observer;
+  if (recipe.equations.form == ModelForm::general) scenario.numerics.form = recipe.equations.form;
   scenario.numerics.relative_tolerance = tolerance;
   scenario.precision = precision;
   constexpr std::size_t kRows = 60;

@@ -141,7 +141,7 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top has its
   // equations without the spin there, and a top on a table has all of its equations there.
   const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced;
-  if (drift || is_driven_top || !scene.support().has_motion_alone || scene.scenario().effects.applied.coulomb_N_m != 0) {
+  if (drift || is_driven_top || !scene.support().no_motion_alone.empty() || scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {

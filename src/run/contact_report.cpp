@@ -36,8 +36,6 @@ double longest(const Vec3<double>& a, const Vec3<double>& b) {
   return real::sqrt((aa + bb) / 2 + real::hypot((aa - bb) / 2, ab));
 }
 
-bool is_exact_coulomb(const Contact<double>& contact) { return contact.law == ContactLaw::coulomb && contact.slip_floor == 0; }
-
 }  // namespace
 
 std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& problem, double at_s, const Watch& watch) {
@@ -68,7 +66,7 @@ void assess_prediction_changes(RunResult& result, const Watch& watch) {
   ContactReport& report = *result.contact;
   double before_s = HUGE_VAL;
   for (const ContactEvent& event : report.events)
-    if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && is_exact_coulomb(problem.table->contact)))
+    if (ends_run(event.kind) || (event.kind == ContactEventKind::slip_stopped && has_exact_coulomb(problem.table->contact)))
       before_s = std::min(before_s, event.t_s);
   const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(),
                                 [&](const DriftRow& r) { return r.drift_reliable && r.t_s < before_s; });

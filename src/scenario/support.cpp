@@ -14,9 +14,8 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
      .carries = [](const Scenario& s) { return s.contact.has_value(); },
      .has_contact = true,
      .may_damp = true,
-     .has_motion_alone = false,
      .no_exact_motion = "is not available for a top on a table; take \"auto\", or leave the contact out",
-     .no_timing = "a top on a table cannot be timed; leave the contact out",
+     .no_motion_alone = "of a top on a table both motions are integrated together; take the drift",
      .no_effect_sizes =
          "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario "
          "with and without it",

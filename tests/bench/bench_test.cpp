@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/bench/bench.hpp"
 
+#include <atomic>
 #include <set>
 #include <sstream>
 
@@ -128,15 +129,64 @@ TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
   EXPECT_THROW(bench(testing::asymmetric_top(), none, options), std::invalid_argument);
 }
 
-TEST(Bench, ATopOnATableIsRefused) {
+/// A toy top on a table, for so long that friction matters.
+Scenario on_table(ContactLaw law, ContactStart start) {
   Scenario scenario = testing::toy_top();
-  scenario.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling};
-  const std::vector<Contender> contenders{contender(Workload::drift, ModelForm::automatic, 1e-10)};
+  scenario.contact = ContactSpec{.tip_radius_m = 0.002, .law = law, .friction_coefficient = 0.35, .start = start};
+  scenario.duration_s = scenario.output_step_s = 0.25;
+  return scenario;
+}
+
+TEST(Bench, TopsOnTablesAreTimed) {
+  Scenario asymmetric = on_table(ContactLaw::rolling, ContactStart::rolling);
+  testing::set_principal(asymmetric.body, 1.2e-4, 1.19e-4, 4e-5);
+  const std::pair<Scenario, const char*> tops[] = {
+      {on_table(ContactLaw::rolling, ContactStart::rolling), "extrapolation of the general model in inertial axes"},
+      {asymmetric, "extrapolation of the general model in inertial axes"},
+      {on_table(ContactLaw::coulomb, ContactStart::center_of_mass_at_rest),
+       "extrapolation of the reduced model in laboratory axes"}};
+  for (const auto& [scenario, witness] : tops) {
+    std::vector<Contender> contenders = standard_contenders(scenario, Workload::drift);
+    std::set<std::string> forms;
+    for (const Contender& each : contenders) forms.insert(equations_name(each));
+    EXPECT_EQ(forms.size(), scenario.contact->law == ContactLaw::coulomb ? 1U : scenario.body == asymmetric.body ? 2U : 4U);
+    std::erase_if(contenders, [](const Contender& each) {
+      return each.precision != Precision::bits53 || each.options.relative_tolerance < 1e-11 ||
+             each.options.relative_tolerance > 1e-8;
+    });
+    BenchOptions options = quick_options();
+    options.reference_seconds = 1;
+    const BenchReport report = bench(scenario, contenders, options);
+    EXPECT_TRUE(report.reference.witness.starts_with(witness)) << report.reference.witness;
+    EXPECT_LT(report.reference.error.drift.value(), 1e-9 * report.largest_drift);
+    for (const BenchEntry& entry : report.entries) {
+      SCOPED_TRACE(describe(entry.contender));
+      EXPECT_EQ(entry.status, RunStatus::completed);
+      EXPECT_LT(entry.errors.drift.value(), 1e-3 * report.largest_drift);
+      EXPECT_GT(entry.counters.evaluations, 0);
+    }
+  }
+}
+
+TEST(Bench, AReferenceThatIsNotCompletedIsRefused) {
+  const std::atomic<bool> stop = true;
+  try {
+    certified_reference(testing::toy_top(), {0, 1}, Precision::bits64, &stop);
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_STREQ(error.what(),
+                 "error: no reference: it takes far longer than was estimated; a shorter duration has one sooner");
+  }
+}
+
+TEST(Bench, OfATopOnATableThereIsNoMotionAlone) {
+  const Scenario scenario = on_table(ContactLaw::rolling, ContactStart::rolling);
+  const std::vector<Contender> contenders{contender(Workload::motion, ModelForm::automatic, 1e-10)};
   try {
     bench(scenario, contenders, {});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "bench: a top on a table cannot be timed; leave the contact out");
+    EXPECT_STREQ(error.what(), "bench: of a top on a table both motions are integrated together; take the drift");
   }
 }
 

@@ -33,6 +33,13 @@ on_stdout '"pointer": "/release/tilt_degrees"'
 nothing_on_stderr
 expect 2 bench top.json --methods closed_form
 on_stderr 'none of these fits "bench-top"'
+table='/contact={"tip_radius_m": 0.002, "law": "rolling"}'
+expect 2 bench top.json --set "$table" --workload motion
+on_stderr 'error: --workload motion: of a top on a table both motions are integrated together; take the drift$'
+nothing_on_stdout
+# shellcheck disable=SC2086
+expect 0 bench top.json --set "$table" $few --brief
+on_stdout ': both motions and the drift'
 
 # Two scenarios: tables, files.
 # shellcheck disable=SC2086

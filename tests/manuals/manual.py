@@ -22,6 +22,7 @@ LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+[\"'][^)]*)?\)"  # [text](target)
                   r"|^ {0,3}\[[^\]]+\]:\s*<?([^\s>]+)"  # [name]: target
                   r"|<[^>]*\b(?:href|src)=\"([^\"]+)\"", re.MULTILINE)
 NAMED = re.compile(r"<[^>]*\b(?:id|name)=\"([^\"]+)\"")
+PLACEHOLDER = re.compile(r"^\s*([A-Z][A-Z_]{2,})\s*$|\b(TODO|TBD|FIXME|XXX)\b")  # what was to be replaced: a word in capitals on a line
 CODE_SPAN = re.compile(r"(?<!`)(`+)(?!`)((?:(?!\n\s*\n).)+?)(?<!`)\1(?!`)", re.DOTALL)
 
 
@@ -103,6 +104,9 @@ class Manual:
                 elif line.strip() and not line.startswith("  "):
                     in_list = False
         self._drop_marks()
+        for at, line in enumerate(self.prose):
+            if left := PLACEHOLDER.search(line):
+                self.fault(at + 1, f"a placeholder was left: {left[1] or left[2]}")
         if fence:
             self.fault(len(self.lines), "a block has no end")
         if table:

@@ -150,6 +150,11 @@ class Blocks(Planted):
         said = self.sound(block("sh", "exit 1", "not run: takes 20 minutes") + block("text", "result"))
         self.assertIn("README.md: 0 run, 0 checked, 2 not run\n  line 2: sh, not run: takes 20 minutes\n  line 5: text, not run: as ", said)
 
+    def test_placeholders(self):
+        self.faulty("# Speed\n\nPARTS\n", 3, "a placeholder was left: PARTS")
+        self.faulty("# Speed\nA toy top: TBD ms.\n", 2, "a placeholder was left: TBD")
+        self.sound("# GPL\n\nThe GPL\n" + block("text", "PARTS", "not run: a picture"))
+
     def test_list(self):
         said = self.sound(block("sh", "exit 1") + block("text", "no") + block("sh", "exit 1", "not run: needs a cluster") * 2, "--list")
         self.assertEqual(said, "README.md: 1 run, 1 checked, 2 not run\n  lines 8, 12: sh, not run: needs a cluster\n")

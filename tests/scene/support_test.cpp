@@ -92,10 +92,9 @@ TEST(Support, ItsChecksAreItsOwn) {
 
 TEST(Support, WhatATableHasNotIsSaid) {
   const Support& table = changed(testing::toy_top(), ask_for_table).support();
-  EXPECT_EQ(table.no_timing, "a top on a table cannot be timed; leave the contact out");
   EXPECT_EQ(table.no_trend, "the top stands on a table");
   EXPECT_TRUE(table.has_contact);
-  EXPECT_FALSE(table.has_motion_alone);
+  EXPECT_EQ(table.no_motion_alone, "of a top on a table both motions are integrated together; take the drift");
 }
 
 // A part that is made anew would have another address.

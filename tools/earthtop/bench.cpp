@@ -9,6 +9,7 @@
 #include "bench_text.hpp"
 #include "command_line.hpp"
 #include "earthtop/bench/comparison.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "output.hpp"
 #include "screen.hpp"
 #include "text/number_words.hpp"
@@ -102,7 +103,10 @@ Scene to_be_benched(const Scene& scene, const BenchArguments& arguments) {
 
 /// The standard contenders that were asked for. @throws ScenarioError if none of them fits
 std::vector<Contender> contenders_of(const Scene& scene, const BenchArguments& arguments) {
-  std::vector<Contender> all = standard_contenders(scene, workload_of(arguments));
+  const Workload workload = workload_of(arguments);
+  if (const std::string_view reason = scene.support().no_motion_alone; workload != Workload::drift && !reason.empty())
+    refuse(fmt::format("--workload {}: {}", to_string(workload), reason));
+  std::vector<Contender> all = standard_contenders(scene, workload);
   if (arguments.methods.empty()) return all;
   const auto is_asked = [&](const Contender& contender) {
     const std::string name(contender.peer ? contender.peer->word : to_string(contender.options.method));

@@ -110,7 +110,7 @@ std::vector<Contender> standard_contenders(const Scene& scene, Workload workload
 /// the method that is cheapest there. The witness is the closed form if both motions have one; otherwise another method in
 /// another observer's variables, in the other form if the scene has two.
 /// @param times_s  checkpoints, beginning with 0 (s)   @param precision  bits113 or bits64
-/// @param watch  may end it early   @throws std::runtime_error if an integration is not completed
+/// @param watch  may end it early   @throws ScenarioError if an integration is not completed
 CertifiedReference certified_reference(const Scene& scene, const std::vector<double>& times_s,
                                        Precision precision = Precision::bits113, const Watch& watch = {});
 
@@ -120,8 +120,8 @@ double estimated_reference_seconds(const Scene& scene, Precision precision);
 /// The scenario, shortened if necessary so that a reference of 64 bits takes no longer than the given time (s).
 Scene shortened_for_reference(const Scene& scene, double reference_seconds);
 
-/// @throws ScenarioError for a scene that cannot be run; std::runtime_error if the reference cannot be computed;
-/// std::invalid_argument for a contender that does not fit the scene
+/// @throws ScenarioError for a scene that cannot be run, or whose reference cannot be computed; std::invalid_argument for a
+/// contender that does not fit the scene
 BenchReport bench(const Scene& scene, std::span<const Contender> contenders, const BenchOptions& options = {});
 
 /// The cost at which these entries reach the given error: seconds and evaluations, interpolated linearly in the logarithms of

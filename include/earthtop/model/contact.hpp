@@ -48,6 +48,12 @@ struct Contact {
                    gradient_H)
 };
 
+/// Whether a contact has the exact Coulomb law, whose slip stops.
+template <class S>
+bool has_exact_coulomb(const Contact<S>& contact) {
+  return contact.law == ContactLaw::coulomb && contact.slip_floor == S(0);
+}
+
 /// @param body  its origin is the centre of the tip's sphere   @param weights  of Coriolis and centrifugal force and torque
 /// @param gradient  of gravitation, which exerts a force and a torque; null: left out
 template <class T>

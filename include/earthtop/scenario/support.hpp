@@ -28,9 +28,8 @@ struct Support {
   bool has_contact = false;
   bool may_damp = false;               ///< whether it may brake the body itself, beside the friction among the effects
   bool drives = false;                 ///< whether the motion may come to other rates than those of its release
-  bool has_motion_alone = true;        ///< whether one motion can be integrated without the deviation from the other
   std::string_view no_exact_motion{};  ///< of a method, after its name
-  std::string_view no_timing{};        ///< of bench
+  std::string_view no_motion_alone{};  ///< of one motion without the deviation from the other
   std::string_view no_effect_sizes{};  ///< of the effect budget
   std::string_view no_trend{};         ///< of a secular drift
 };

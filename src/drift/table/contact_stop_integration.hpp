@@ -10,12 +10,6 @@
 
 namespace earthtop {
 
-/// Whether a contact has the exact Coulomb law, whose slip stops.
-template <class T>
-bool has_exact_coulomb(const Contact<T>& contact) {
-  return contact.law == ContactLaw::coulomb && contact.slip_floor == T(0);
-}
-
 /// Appends what a later part of a run has given; its first sample, at which it began, is left out.
 template <class T>
 void append_part(DriftTrajectory<T>&& part, DriftTrajectory<T>& whole) {
