@@ -2,6 +2,12 @@
 # The component `program`: the program, what it prints about itself (man pages, completions, schemas), scenarios and studies.
 install(TARGETS earthtop-tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenarios DESTINATION ${CMAKE_INSTALL_DATADIR}/earthtop COMPONENT program)
+# Debian's packages have a copyright file and a compressed README instead.
+install(CODE "
+  if(NOT \"\$ENV{DESTDIR}\" MATCHES \"/_CPack_Packages/\")
+    file(INSTALL ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md
+         DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\")
+  endif()" COMPONENT program)
 
 if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
   return() # the program cannot run on this machine
