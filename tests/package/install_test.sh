@@ -4,6 +4,7 @@
 #   tests/package/install_test.sh BUILD     BUILD: a build of a clone that is this test's own
 set -euo pipefail
 build=$(cd "$1" && pwd)
+here=$(cd "$(dirname "$0")" && pwd)
 clone=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -50,6 +51,7 @@ done
 "$prefix/bin/earthtop" schema | cmp - "$prefix/share/earthtop/schema/earthtop-scenario-1.json"
 diff -r "$clone/scenarios" "$prefix/share/earthtop/scenarios"
 for file in LICENSE README.md; do cmp "$clone/$file" "$prefix/share/doc/earthtop/$file"; done
+"$here/linked_test.py" "$prefix/share/doc/earthtop/earthtop.spdx.json" "$prefix/bin/earthtop"
 [[ -s $prefix/lib/libearthtop.a && -s $prefix/include/earthtop/run.hpp ]] || fail "the library is not installed"
 if grep -rlaF "$clone" "$prefix"; then fail "these files name the directory in which they were built"; fi
 

@@ -68,6 +68,11 @@ earthtop run /usr/share/earthtop/scenarios/toy-top.json --set /motion/duration_s
 cmp by-name/trajectory.csv installed/trajectory.csv
 earthtop check /usr/share/doc/earthtop/examples/*.json >check.log || { cat check.log && fail "an example has a mistake"; }
 
+step "What is linked"
+for pair in /usr/share/doc/earthtop:/usr/bin/earthtop /usr/lib/python3/dist-packages/earthtop:"$(echo /usr/lib/python3/dist-packages/earthtop/_core.*.so)"; do
+  "$source_dir/tests/package/linked_test.py" "${pair%%:*}/earthtop.spdx.json" "${pair#*:}"
+done
+
 step "Schemas"
 for kind in scenario study mapping tolerances; do
   python3 -m json.tool "/usr/share/earthtop/schema/earthtop-$kind-1.json" >/dev/null || fail "no schema of a $kind"

@@ -27,6 +27,15 @@ git status --porcelain | cmp "$work/before" - || fail "building changed the sour
 [[ $(echo build/python/*.whl) == build/python/earthtop-"$version"-cp3*-linux_*.whl ]] || fail "there is no wheel of $version alone"
 cd "$work"
 
+step "What is linked, and the licence"
+package=$(echo "$venv"/lib/*/site-packages/earthtop)
+"$source_dir/tests/package/linked_test.py" "$package/earthtop.spdx.json" "$package"/_core.*.so
+for archive in erfa GeographicLib gsl; do
+  grep -q "\"SPDXRef-lib$archive.a\"" "$package/earthtop.spdx.json" || fail "lib$archive.a is linked and not listed"
+done
+cmp "$source_dir/LICENSE" "$package/LICENSE"
+if grep -rlaF "$source_dir" "$package" --exclude='*.pyc'; then fail "these files name the directory in which they were built"; fi
+
 step "Import, run"
 [[ $(python -c 'import earthtop; print(earthtop.__path__[0])') == "$venv"/lib/*/earthtop ]] || fail "another earthtop is imported"
 [[ $(python -c 'import earthtop; from importlib.metadata import version; print(version("earthtop"), earthtop.__version__)') == "$version $version" ]] ||

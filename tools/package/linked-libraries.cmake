@@ -1,20 +1,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The libraries that the installed static libraries need when they are linked, under their names in pkg-config and in Debian.
+# The libraries that earthtop is built on: their names, their packages, their licences; and the lists of what is linked that are
+# installed with the program and with the Python package.
 
-# A target or library as CMake links it | its pkg-config module, or flags for the linker | its Debian development package
+# A target or library as CMake links it | its pkg-config module, or flags for the linker | its Debian development package (a pattern) |
+# its file without lib, .so and .a (a pattern; none where it is headers alone) | its licence, as SPDX writes it
 set(known_libraries
-  "Eigen3::Eigen|eigen3|libeigen3-dev"
-  "GSL::gsl|gsl|libgsl-dev"
-  "GSL::gslcblas|gsl|libgsl-dev"
-  "fmt::fmt|fmt|libfmt-dev"
-  "PkgConfig::MD|libmd|libmd-dev"
-  "PkgConfig::XXHASH|libxxhash|libxxhash-dev"
-  "PkgConfig::ERFA|erfa|liberfa-dev"
-  "PkgConfig::SLEEF|sleef|libsleef-dev"
-  "SQLite::SQLite3|sqlite3|libsqlite3-dev"
-  "GeographicLib::GeographicLib|geographiclib|libgeographiclib-dev"
-  "Threads::Threads|-pthread|"
-  "quadmath|-lquadmath|")
+  "Boost::headers||libboost[0-9]*-dev||BSL-1.0"
+  "CLI11::CLI11||libcli11-dev||BSD-3-Clause"
+  "Eigen3::Eigen|eigen3|libeigen3-dev||MPL-2.0"
+  "nlohmann_json::nlohmann_json||nlohmann-json3-dev||MIT"
+  "pybind11::module||pybind11-dev||BSD-3-Clause"
+  "GSL::gsl|gsl|libgsl-dev|gsl|GPL-3.0-or-later"
+  "GSL::gslcblas|gsl|libgsl-dev|gslcblas|GPL-3.0-or-later"
+  "fmt::fmt|fmt|libfmt-dev|fmt|MIT"
+  "PkgConfig::MD|libmd|libmd-dev|md|BSD-3-Clause AND BSD-2-Clause AND ISC AND Beerware"
+  "PkgConfig::XXHASH|libxxhash|libxxhash-dev|xxhash|BSD-2-Clause"
+  "PkgConfig::ERFA|erfa|liberfa-dev|erfa|BSD-3-Clause"
+  "PkgConfig::SLEEF|sleef|libsleef-dev|sleef|BSL-1.0"
+  "SQLite::SQLite3|sqlite3|libsqlite3-dev|sqlite3|blessing"
+  "GeographicLib::GeographicLib|geographiclib|libgeographiclib-dev|GeographicLib|MIT"
+  "Threads::Threads|-pthread||pthread|LGPL-2.1-or-later"
+  "quadmath|-lquadmath||quadmath|LGPL-2.1-or-later"
+  # what a compiler adds by itself
+  "|||c|LGPL-2.1-or-later"
+  "|||m|LGPL-2.1-or-later"
+  "|||ld-linux.*|LGPL-2.1-or-later"
+  "|||gcc_s|GPL-3.0-or-later WITH GCC-exception-3.1"
+  "|||stdc[+][+]|GPL-3.0-or-later WITH GCC-exception-3.1"
+  # MPI and SUNDIALS, which are given as files, and what Open MPI brings along
+  "|||sundials_.*|BSD-3-Clause"
+  "|||mpich|mpich2"
+  "|||mpi|BSD-3-Clause-Open-MPI"
+  "|||open-.*|BSD-3-Clause-Open-MPI"
+  "|||hwloc|BSD-3-Clause"
+  "|||event_.*|BSD-3-Clause"
+  "|||udev|LGPL-2.1-or-later"
+  "|||z|Zlib")
 
 # linked_libraries(LIBRARY) sets LIBRARY_modules, LIBRARY_flags, LIBRARY_debian, and LIBRARY_public_modules: the modules whose
 # headers the library's own headers include. A library that is missing in the table stops the configuration, because packages
@@ -74,4 +95,28 @@ function(linked_libraries library)
     list(REMOVE_DUPLICATES ${list})
     set(${library}_${list} "${${list}}" PARENT_SCOPE)
   endforeach()
+endfunction()
+
+# list_of_linked(TARGET NAME LIST HEADERS NAMES... STATIC FILES...) makes a target TARGET-list, which writes LIST, what of other libraries
+# TARGET is made of, as SPDX: libraries of headers alone, by their names in the table; archives; and what the finished file says that it
+# loads. A library that is missing in the table stops the build. With sanitizers, whose libraries are not there, no list is made.
+function(list_of_linked target name list)
+  cmake_parse_arguments(PARSE_ARGV 3 "" "" "" "HEADERS;STATIC")
+  if(EARTHTOP_SANITIZE)
+    return()
+  endif()
+  find_package(Git QUIET)
+  set(directory ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env TZ=UTC ${GIT_EXECUTABLE} -C ${directory} log -1 --format=%cd
+                          --date=format-local:%Y-%m-%dT%H:%M:%SZ
+                  OUTPUT_VARIABLE created OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  file(STRINGS ${directory}/../../CMakeLists.txt version REGEX "^project\\(earthtop VERSION")
+  string(REGEX MATCH "[0-9.]+" version "${version}")
+  add_custom_command(OUTPUT ${list}
+    COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DVERSION=${version} -DCREATED=${created} -DLINKED=$<TARGET_FILE:${target}>
+            -DOBJDUMP=${CMAKE_OBJDUMP} "-DHEADERS=${_HEADERS}" "-DSTATIC=${_STATIC}" -DLIST=${list} -P ${directory}/spdx.cmake
+    DEPENDS ${target} ${directory}/linked-libraries.cmake ${directory}/spdx.cmake
+    COMMENT "What ${target} is linked with, as SPDX"
+    VERBATIM)
+  add_custom_target(${target}-list ALL DEPENDS ${list})
 endfunction()

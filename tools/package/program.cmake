@@ -22,6 +22,12 @@ add_custom_target(earthtop-pages ALL DEPENDS ${pages_dir}/written)
 
 set(EARTHTOP_ZSH_DIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING
     "Where zsh looks for completions; of Debian's packages: share/zsh/vendor-completions")
+list_of_linked(earthtop-tool earthtop ${PROJECT_BINARY_DIR}/earthtop.spdx.json
+               HEADERS Boost::headers CLI11::CLI11 Eigen3::Eigen nlohmann_json::nlohmann_json)
+if(TARGET earthtop-tool-list)
+  install(FILES ${PROJECT_BINARY_DIR}/earthtop.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+endif()
+
 install(DIRECTORY ${pages_dir}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
 install(FILES ${pages_dir}/earthtop.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME earthtop
         COMPONENT program)

@@ -50,8 +50,9 @@ class BuildByCMake(build_ext):
             options += [f"-DCMAKE_PREFIX_PATH={installed}", "-DCMAKE_REQUIRE_FIND_PACKAGE_earthtop=ON"]
         work = BUILD / "extension"
         cmake("--fresh", "-S", SOURCE, "-B", work, *options)  # fresh: whatever was found by an earlier call is looked for anew
-        cmake("--build", work, *parallel, "--target", "earthtop-python")
+        cmake("--build", work, *parallel, "--target", "earthtop-python", "earthtop-python-list")
         cmake("--install", work, "--component", "python", "--strip", "--prefix", Path(self.build_lib).resolve())
+        shutil.copy(ROOT / "LICENSE", Path(self.build_lib) / "earthtop")
 
 
 # What setuptools writes is kept out of the source tree.
