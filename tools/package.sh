@@ -12,6 +12,15 @@ packages=build/packages
 objects=${1:-}
 tools/install-dependencies.sh python3-dev pybind11-dev python3-numpy python3-setuptools python3-wheel
 
+# Same commit, same libraries, same bytes, whenever, wherever and by whomever they are made: a package keeps times and permissions. Outside
+# git the time is that of the newest release.
+umask 022
+if [[ -z ${SOURCE_DATE_EPOCH:-} ]]; then
+  released=$(sed -n 's/^## \[[0-9.]*\] - //p' .github/CHANGELOG.md | head -n 1)
+  SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || date --date="$released 12:00 UTC" +%s)
+fi
+export SOURCE_DATE_EPOCH
+
 # Debian packages put some files in other places than an installation below /usr/local.
 places=(-DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture -qDEB_HOST_MULTIARCH)" -DEARTHTOP_ZSH_DIR=share/zsh/vendor-completions)
 places+=(-DEARTHTOP_PYTHON=ON)
@@ -24,7 +33,6 @@ fi
 cmake --build "$objects" --parallel "$(nproc)" --target packaged
 
 rm -f "$packages"/*.deb
-if SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null); then export SOURCE_DATE_EPOCH; fi # same commit, same package
 cpack --config "$objects/CPackConfig.cmake" -B "$packages"
 rm -rf "$packages/_CPack_Packages"
 ls -l "$packages"/*.deb

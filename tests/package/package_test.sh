@@ -33,18 +33,26 @@ for deb in "${debs[@]}"; do
   [[ $(dpkg-deb -f "$deb" Version) == "$version"-* ]] || fail "$deb is not of version $version"
 done
 
+work=$(mktemp -d)
+chmod 755 "$work"
+clean_up() {
+  if [[ $(id -u) -eq 0 ]]; then dpkg --purge "${packages[@]}" >/dev/null 2>&1 || true; fi
+  rm -rf "$work"
+}
+trap clean_up EXIT
+
+step "No file names the directory in which it was built"
+mkdir "$work/unpacked"
+for deb in "${debs[@]}"; do dpkg-deb --raw-extract "$deb" "$work/unpacked/$(basename "$deb")"; done
+[[ -s $(echo "$work"/unpacked/libearthtop-dev_*/usr/lib/*/libearthtop.a) ]] || fail "no archive is looked into"
+find "$work/unpacked" -name '*.gz' -exec gunzip {} +
+if grep -rlaF -e "$source_dir" -e "$(realpath "${1:-build/packages}")" "$work/unpacked"; then fail "these files name it"; fi
+rm -r "$work/unpacked"
+
 if [[ $(id -u) -ne 0 ]]; then
   echo "Not root: the packages were built and judged, but not installed and used."
   exit 0
 fi
-
-work=$(mktemp -d)
-chmod 755 "$work"
-clean_up() {
-  dpkg --purge "${packages[@]}" >/dev/null 2>&1 || true
-  rm -rf "$work"
-}
-trap clean_up EXIT
 
 step "Install"
 apt_get() { DEBIAN_FRONTEND=noninteractive apt-get -q -y -o Dpkg::Use-Pty=0 "$@"; }
