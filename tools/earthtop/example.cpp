@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 #include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
@@ -27,7 +28,7 @@ std::vector<std::string> example_names() {
   return names;
 }
 
-const Example& find_example(const std::string& name) {
+const Example& find_example(std::string_view name) {
   const auto all = examples();
   const auto found = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == name; });
   if (found != all.end()) return *found;
