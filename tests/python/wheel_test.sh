@@ -40,6 +40,7 @@ step "Import, run"
 [[ $(python -c 'import earthtop; print(earthtop.__path__[0])') == "$venv"/lib/*/earthtop ]] || fail "another earthtop is imported"
 [[ $(python -c 'import earthtop; from importlib.metadata import version; print(version("earthtop"), earthtop.__version__)') == "$version $version" ]] ||
   fail "the versions are not $version"
+python "$source_dir/tests/python/needs.py" || fail "it states a wrong need of NumPy"
 "$build/tools/earthtop/earthtop" run "$source_dir/scenarios/toy-top.json" --out by-program --quiet
 python -c 'import earthtop as et; et.run(et.example("toy-top")).save("by-python")'
 for file in trajectory.csv summary.json drift.svg; do cmp by-program/$file by-python/$file; done

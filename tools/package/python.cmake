@@ -2,7 +2,7 @@
 # The Debian package `python3-earthtop` of the component `python`, which tools/python/CMakeLists.txt installs, and of what only
 # Debian needs: the package's metadata, manual and notebooks, and byte code that is made when it is installed.
 set(python_dir ${PROJECT_SOURCE_DIR}/tools/python)
-foreach(variable Python_EXECUTABLE Python_VERSION_MAJOR Python_VERSION_MINOR)
+foreach(variable Python_EXECUTABLE Python_VERSION_MAJOR Python_VERSION_MINOR pybind11_DIR EARTHTOP_NUMPY_FROM EARTHTOP_NUMPY_BELOW)
   get_directory_property(${variable} DIRECTORY ${python_dir} DEFINITION ${variable})
 endforeach()
 
@@ -10,10 +10,11 @@ set(metadata_dir ${debian_dir}/python-metadata)
 add_custom_command(OUTPUT ${metadata_dir}/written
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${metadata_dir}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${metadata_dir}
-  COMMAND ${Python_EXECUTABLE} -c "import setuptools.build_meta, sys; setuptools.build_meta.prepare_metadata_for_build_wheel(sys.argv[1])"
+  COMMAND ${CMAKE_COMMAND} -E env pybind11_DIR=${pybind11_DIR}
+          ${Python_EXECUTABLE} -c "import setuptools.build_meta, sys; setuptools.build_meta.prepare_metadata_for_build_wheel(sys.argv[1])"
           ${metadata_dir} > ${metadata_dir}.log
   COMMAND ${CMAKE_COMMAND} -E touch ${metadata_dir}/written
-  DEPENDS ${python_dir}/pyproject.toml ${python_dir}/setup.py ${python_dir}/README.md ${PROJECT_SOURCE_DIR}/CMakeLists.txt
+  DEPENDS ${python_dir}/pyproject.toml ${python_dir}/setup.py ${python_dir}/found.cmake ${python_dir}/needs/CMakeLists.txt ${python_dir}/README.md ${PROJECT_SOURCE_DIR}/CMakeLists.txt
   WORKING_DIRECTORY ${python_dir}
   COMMENT "The Python package's metadata, as a wheel has them (needs python3-setuptools and python3-wheel)"
   VERBATIM)
@@ -37,12 +38,13 @@ ${about}
 This package has the Python module earthtop: scenarios, runs as NumPy arrays,
 parameter studies, fits and plans of measurements, and the closed forms.")
 
-# An extension fits one version of Python. Which NumPy it needs is said once, in pyproject.toml.
+# An extension fits one version of Python, and the NumPy that the wheel says, too.
 math(EXPR next "${Python_VERSION_MINOR} + 1")
-file(STRINGS ${python_dir}/pyproject.toml needed REGEX "\"numpy>=[0-9.]+,<[0-9.]+\"")
-string(REGEX MATCH "numpy>=([0-9.]+),<([0-9.]+)" needed "${needed}")
-string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-  "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~)" "python3 (<< ${Python_VERSION_MAJOR}.${next})"
-  "python3-numpy (>= 1:${CMAKE_MATCH_1})" "python3-numpy (<< 1:${CMAKE_MATCH_2})")
+set(needed "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~)" "python3 (<< ${Python_VERSION_MAJOR}.${next})"
+           "python3-numpy (>= 1:${EARTHTOP_NUMPY_FROM})")
+if(EARTHTOP_NUMPY_BELOW)
+  list(APPEND needed "python3-numpy (<< 1:${EARTHTOP_NUMPY_BELOW})")
+endif()
+string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ${needed})
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib, python3-pandas")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-mpmath, libearthtop-dev")

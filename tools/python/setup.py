@@ -32,6 +32,13 @@ def cmake(*arguments: object) -> None:
     subprocess.run(["cmake", *map(str, arguments)], check=True)
 
 
+def needs() -> list:
+    """What the package needs to run, by the pybind11 that its extension is built with."""
+    work = BUILD / "needs"
+    cmake("--fresh", "-S", SOURCE / "needs", "-B", work, f"-DPython_EXECUTABLE={sys.executable}")
+    return (work / "needs.txt").read_text(encoding="utf-8").splitlines()
+
+
 class BuildByCMake(build_ext):
     """Installs CMake's component `python` where setuptools collects the files of the wheel."""
 
@@ -60,6 +67,7 @@ shutil.rmtree(BUILD / "wheel", ignore_errors=True)
 (BUILD / "wheel").mkdir(parents=True)
 setup(
     version=version(),
+    install_requires=needs(),
     packages=[],
     ext_modules=[Extension("earthtop._core", [])],  # its name tells setuptools that the wheel belongs to one Python
     cmdclass={"build_ext": BuildByCMake},

@@ -7,6 +7,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of the package earthtop; import earthtop instead.";
   module.attr("version") = earthtop::build_info().version;
   module.attr("commit") = earthtop::build_info().commit;
+  module.attr("pybind11") = PYBIND11_TOSTRING(PYBIND11_VERSION_MAJOR) "." PYBIND11_TOSTRING(PYBIND11_VERSION_MINOR);
   bind_errors(module);
   bind_scenario(module);
   bind_results(module);

@@ -9,6 +9,7 @@ import numpy as np
 
 version: str
 commit: str
+pybind11: str
 
 _Path = Union[str, PathLike[str]]
 _Finding = Tuple[str, Optional[int], Optional[int], str, str, str]
