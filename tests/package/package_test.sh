@@ -132,6 +132,7 @@ package_dir=/usr/lib/python3/dist-packages/earthtop
 [[ $(python -c 'import earthtop; print(earthtop.__path__[0])') == "$package_dir" ]] || fail "Python imports another earthtop"
 [[ $(python -c 'from importlib.metadata import version; print(version("earthtop"))') == "$version" ]] ||
   fail "the Python package's metadata are not of version $version"
+python "$source_dir/tests/python/needs.py" "$(dpkg-query -W -f='${Depends}' python3-earthtop)" || fail "it states a wrong need of NumPy"
 python -c '
 import earthtop as et
 result = et.run(et.example("toy-top"), duration_s=1)
