@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the packages needed to build earthtop, on Debian 12 or its relatives. Only missing ones are installed, so that a
+# Installs the packages needed to build earthtop, on Debian 12, Debian 13 or their relatives. Only missing ones are installed, so that a
 # second call costs nothing.
 #   tools/install-dependencies.sh [--program] [MORE_PACKAGES...]     --program: without what only tests and benchmarks need
 set -euo pipefail

@@ -81,9 +81,10 @@ inline constexpr std::string_view kColumnVectors = Spelled<[](const auto& add) {
 /// Rates about body axis 3 relative to inertial space, which are in no column.
 inline constexpr std::string_view kInertialSpins = "inertial_spin_rad_s|ref_inertial_spin_rad_s";
 
-/// Quantities of the whole run, one number each.
+/// Quantities of the whole run, one number each. (The type of what is gone through is named: with `auto` g++ 13 does not compile
+/// the loop.)
 inline constexpr std::string_view kRunNumbers = Spelled<[](const auto& add) {
-  for (const auto& quantity : kConserved<double>)
+  for (const ConservedQuantity<double>& quantity : kConserved<double>)
     if (quantity.unit == "J") add(quantity.name), add("_J|");
   add("critical_spin_rad_s");
 }>::text;
@@ -91,7 +92,7 @@ inline constexpr std::string_view kRunNumbers = Spelled<[](const auto& add) {
 /// What a body on a pivot conserves.
 inline constexpr std::string_view kInvariants = Spelled<[](const auto& add) {
   bool first = true;
-  for (const auto& quantity : kConserved<double>) {
+  for (const ConservedQuantity<double>& quantity : kConserved<double>) {
     if (quantity.on_pivot == nullptr) continue;
     if (!first) add("|");
     first = false;

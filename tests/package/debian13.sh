@@ -51,7 +51,7 @@ tools/test.sh -N >/dev/null # builds what is not built
 root=$(mktemp -d)
 trap 'rm -rf --one-file-system "$root"' EXIT
 chmod 755 "$root"
-mmdebstrap --variant=minbase --include=ca-certificates,git trixie "$root" $mirror
+mmdebstrap --variant=minbase --dpkgopt=force-unsafe-io --include=ca-certificates,git trixie "$root" $mirror
 git clone -q --no-hardlinks . "$root/root/earthtop"
 unshare --mount --propagation private bash -euo pipefail -c '
   mount -t proc proc "$1/proc"
