@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# One hash of the numbers, whatever compiler, optimisation, instruction set and processor. It covers trajectory.csv, torques.csv
-# and summary.json (without what built it) of every shipped scenario, hard case, effect, platform, gimbal, observer, method and
-# precision; points, statistics and fits of a study; and what run, explain, verify and compare print, without times.
+# One hash of the numbers, whatever compiler, optimisation, instruction set and processor, and another one of those in float128. They
+# cover trajectory.csv, torques.csv and summary.json (without what built it) of every shipped scenario, hard case, effect, platform,
+# gimbal, observer, method and precision; points, statistics and fits of a study; and what run, explain, verify and compare print,
+# without times.
 #   tools/determinism.sh [--short] PROGRAM...  of these builds of earthtop; and of the first with a C library that takes the
 #                                              processor for an older one, and its sine and exponential accordingly (GNU's does).
 #                                              --short: without shipped scenarios and hard cases, and the others for 0.4 s
@@ -155,7 +156,9 @@ documents() {
   fi
 }
 
-# hash_of PROGRAM [NAME=VALUE]: of its results, in that environment; those of each file go to $list
+# hash_of PROGRAM [NAME=VALUE]: of its results, in that environment: of those in double and long double, and of those in float128, whose
+# digits belong to a version of libquadmath, too. The hashes of each file go to $list.
+float128=' ./precision-float128/'
 hash_of() {
   local program=$1 environment=${2:-} name file values
   rm -rf "$work/results"
@@ -200,8 +203,9 @@ for path in work.glob("results/*/*.*"):
         text = re.sub(r"(?m), [0-9.e+-]+ s$", "", text)
     path.write_text(text)
 PYTHON
-  (cd "$work/results" && find . -name '*.csv' -o -name summary.json -o -path '*/documents/*' | LC_ALL=C sort | xargs sha256sum) |
-    tee "${list:-/dev/null}" | sha256sum | cut -c1-16
+  (cd "$work/results" && find . -name '*.csv' -o -name summary.json -o -path '*/documents/*' | LC_ALL=C sort | xargs sha256sum) >"$list"
+  grep -v "$float128" "$list" | sha256sum | cut -c1-16
+  grep "$float128" "$list" | sha256sum | cut -c1-16
 }
 
 declare -A programs
@@ -241,7 +245,7 @@ declare -A seen
 for name in "${names[@]}"; do
   environment=
   [[ $name == "$older" ]] && environment=GLIBC_TUNABLES=$older_processor
-  hash=$(list=$work/list hash_of "${programs[$name]}" $environment)
+  hash=$(list=$work/list hash_of "${programs[$name]}" $environment | paste -sd' ')
   printf '%-60s %s\n' "$name" "$hash"
   seen[$hash]=1
   if [[ ${#seen[@]} -gt 1 ]]; then
