@@ -10,7 +10,7 @@ tools/install-dependencies.sh python3 python3-jsonschema
 jobs=$(nproc)
 # Otherwise ccache, where it is installed, keeps nothing that was compiled with a precompiled header.
 export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
-cmake --preset release -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON -DEARTHTOP_PYTHON=OFF \
+cmake --preset release -Werror=dev -DEARTHTOP_WERROR=ON -DEARTHTOP_BUILD_TESTS=ON -DEARTHTOP_BUILD_TOOLS=ON -DEARTHTOP_PYTHON=OFF \
   -DEARTHTOP_NIGHTLY_TESTS=OFF -DEARTHTOP_SLOW_TESTS=OFF -DEARTHTOP_PRECOMPILE_HEADERS=ON
 cmake --build --preset release --parallel "$jobs"
 exec ctest --test-dir build/release --label-regex '^gate$' --no-tests=error --output-on-failure --parallel "$jobs" "$@"
