@@ -11,9 +11,9 @@ if [[ ${1:-} == --program ]]; then
   shift
 fi
 
-packages=(
+packages=( # zlib1g-dev: Debian's sqlite3.pc asks for it, but its package does not
   g++ cmake ninja-build pkg-config git
-  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev libxxhash-dev
+  libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev zlib1g-dev libxxhash-dev
   "${tests[@]}" "$@"
 )
 

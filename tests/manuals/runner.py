@@ -253,7 +253,7 @@ class Runner:
                     self.write(os.path.join(folder, source), stream.read())
             elif self.program_text is not None:
                 self.write(os.path.join(folder, source), self.program_text)
-        self.run_and_judge(part, ["cmake", "-S", folder, "-B", os.path.join(folder, "build")])
+        self.run_and_judge(part, ["cmake", "-G", "Ninja", "-S", folder, "-B", os.path.join(folder, "build")])  # as the presets do
 
     def run_python(self, part):
         if not self.options.python:
