@@ -2,7 +2,8 @@
 # The libraries that earthtop is built on: their names, their packages, their licences; and the lists of what is linked that are
 # installed with the program and with the Python package.
 
-# A target or library as CMake links it | its pkg-config module, or flags for the linker | its Debian development package (a pattern) |
+# A target or library as CMake links it | its pkg-config module, or flags for the linker | its Debian development packages
+# (patterns; zlib's, because sqlite3.pc names it, and SQLite's package does not depend on it) |
 # its file without lib, .so and .a (a pattern; none where it is headers alone) | its licence, as SPDX writes it
 set(known_libraries
   "Boost::headers||libboost[0-9]*-dev||BSL-1.0"
@@ -17,7 +18,7 @@ set(known_libraries
   "PkgConfig::XXHASH|libxxhash|libxxhash-dev|xxhash|BSD-2-Clause"
   "PkgConfig::ERFA|erfa|liberfa-dev|erfa|BSD-3-Clause"
   "PkgConfig::SLEEF|sleef|libsleef-dev|sleef|BSL-1.0"
-  "SQLite::SQLite3|sqlite3|libsqlite3-dev|sqlite3|blessing"
+  "SQLite::SQLite3|sqlite3|libsqlite3-dev zlib1g-dev|sqlite3|blessing"
   "GeographicLib::GeographicLib|geographiclib|libgeographiclib-dev|GeographicLib|MIT"
   "Threads::Threads|-pthread||pthread|LGPL-2.1-or-later"
   "quadmath|-lquadmath||quadmath|LGPL-2.1-or-later"
@@ -76,6 +77,7 @@ function(linked_libraries library)
           continue()
         endif()
         set(known TRUE)
+        string(REPLACE " " ";" package "${package}")
         list(APPEND debian ${package})
         if(module MATCHES "^-")
           list(APPEND flags ${module})
