@@ -6,6 +6,7 @@
 
 #include "support/scenes.hpp"
 #include "support/soundness.hpp"
+#include "support/tolerances.hpp"
 
 namespace earthtop {
 namespace {
@@ -109,6 +110,15 @@ TEST(Methods, TinyRatesKeepTheirDigits) {
         EXPECT_NEAR(run(s).drift.axis_final_rad / Omega, expected, 2e-10 * expected) << to_string(method) << ", " << Omega;
       }
   }
+}
+
+// A Runge-Kutta method lets the norm of the axis drift away from 1. If it scaled a torque in one place alone, ten minutes would show it.
+TEST(Methods, TheNormOfTheAxisHasNoPartInALongDrift) {
+  Scenario s = testing::toy_top();
+  s.duration_s = s.output_step_s = 600;
+  const double expected = run(s).drift.axis_final_rad;
+  s.numerics.method = Method::rkf78;
+  EXPECT_NEAR(run(s).drift.axis_final_rad, expected, testing::truncation(s.numerics.relative_tolerance, 100));
 }
 
 TEST(Methods, WhatDoesNotSplitIsRefusedWithTheReason) {
