@@ -6,6 +6,7 @@ set -euo pipefail
 build=$(cd "$1" && pwd)
 here=$(cd "$(dirname "$0")" && pwd)
 clone=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
+"$here/../../tools/install-dependencies.sh" --program python3 # for linked_test.py
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
