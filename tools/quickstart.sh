@@ -9,7 +9,7 @@ program=build/release/tools/earthtop/earthtop
 extended=OFF
 if grep -qs '^EARTHTOP_EXTENDED_PRECISION:BOOL=ON$' build/release/CMakeCache.txt; then extended=ON; fi
 
-# Measured on an AMD EPYC, November 2026: the processor time of the build, and of it what no other core can take over: the precompiled
+# Measured on an Intel Xeon, November 2026: the processor time of the build, and of it what no other core can take over: the precompiled
 # header, the longest source of the core, the longest of the workbench, which waits for the core, and linking.
 processor_s=335
 one_after_another_s=45
