@@ -114,9 +114,10 @@ SETTINGS
   done
 }
 
-# A study of eighteen points, with a fit.
+# A study of eighteen points, with a fit. Its documents name its base, which must not depend on where this checkout is.
+cp scenarios/toy-top.json "$work"
 cat >"$work/study.json" <<JSON
-{ "\$schema": "earthtop-study-1.json", "name": "latitudes", "base": "$PWD/scenarios/toy-top.json",
+{ "\$schema": "earthtop-study-1.json", "name": "latitudes", "base": "toy-top.json",
   "set": { "/motion/duration_s": 1, "/motion/output_step_s": 0.1, "/report/threshold_rad": 1e-6 },
   "axes": [ { "pointer": "/site/latitude_deg", "range": { "from": -80, "to": 80, "points": 9 } },
             { "pointer": "/release/spin_rad_s", "values": [150, 200] } ],
