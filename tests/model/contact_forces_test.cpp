@@ -49,8 +49,8 @@ TEST(ContactFriction, ContensouHasBothLimitsOfAHertzPatchAndStaysNearItBetween) 
     worst_force = std::max(worst_force, std::abs(F / force - 1)),
     worst_moment = std::max(worst_moment, std::abs(M / moment - 1));
     if (d < 1e-3) {
-      EXPECT_NEAR(F / force, 1, 10 * d * d);  // of second order in d
-      EXPECT_NEAR(M / moment, 1, 10 * d * d);
+      EXPECT_NEAR(F / force, 1, 10 * d * d);   // of second order in d
+      EXPECT_NEAR(M / moment, 1, 10 * d * d);  // as is the force
     }
   }
   const Friction<double> fast = friction(c, V(1e5, 0, 0), V(0, 0, 7), kUp);
@@ -102,7 +102,7 @@ TEST(ContactPainleve, OfARodBeginsAtFourThirds) {
   };
   EXPECT_GT(least_denominator(4.0 / 3 - 1e-3), 0);
   EXPECT_LT(least_denominator(4.0 / 3 + 1e-3), 0);
-  EXPECT_LT(std::abs(least_denominator(4.0 / 3)), 10 * step * step);
+  EXPECT_LT(std::abs(least_denominator(4.0 / 3)), 10 * step * step);  // the least lies between two angles
 }
 
 /// The table's axes: level is exactly L's own, and down is where the compass direction says.
