@@ -64,11 +64,14 @@ class Contenders {
     std::vector<Composition> compositions = {Composition::automatic};
     if (row.composes)
       compositions.insert(compositions.end(), {Composition::aba864, Composition::aba1064, Composition::kahan_li8});
+    std::vector<Precision> precisions;
+    for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113})
+      if (is_built(row.method, precision) && !in_precision(precision).method_refusal(row.method))
+        precisions.push_back(precision);
     for (const Composition composition : compositions)
       for (const Equations& equations : equations_of(row, scene_)) {
         if (equations.form == ModelForm::reduced && !reducible_) continue;
-        for (const Precision precision : {Precision::bits53, Precision::bits64, Precision::bits113}) {
-          if (!is_built(row.method, precision) || in_precision(precision).method_refusal(row.method)) continue;
+        for (const Precision precision : precisions) {
           if (precision != Precision::bits53 && is_extra(equations)) continue;
           for (const double tolerance : tolerances(row, precision)) {
             IntegrationOptions options = options_of(row, equations);
