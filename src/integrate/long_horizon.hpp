@@ -132,6 +132,13 @@ class LongHorizonWalk {
     steps_ = 1;
     go(interval, schedule, longest_time_between_looks, look);
   }
+  /// Where a walk stands between two intervals; a walk of the same top by the same plan can go on from there.
+  struct Position {
+    TiltedTopState<T> x;
+    bool backward = false;
+  };
+  Position position() const { return {x_, backward_}; }
+  void go_to(const Position& there) { x_ = there.x, backward_ = there.backward; }
   /// The state at the end of the last interval, with its ripple.
   TiltedTopState<T> state() const {
     TiltedTopState<T> x = x_;
@@ -224,21 +231,34 @@ class LongHorizonPath {
 
   /// The number of steps up to this time, which is not before the last one asked for.
   T steps_to(T t) const { return t / plan_.step - T(done_); }
+  /// The number of whole steps in this time.
+  std::int64_t whole_steps(T t) const {
+    return static_cast<std::int64_t>(std::floor(static_cast<double>(t / plan_.step) * (1 + 1e-12)));
+  }
+  /// The steps done, and where they have led.
+  std::int64_t steps_done() const { return done_; }
+  T time_done() const { return T(done_) * plan_.step; }
+  const LongHorizonWalk<T>& walk() const { return walk_; }
+  /// Goes on from a position after so many steps, more than are done.
+  void go_to(std::int64_t steps, const typename LongHorizonWalk<T>::Position& position) {
+    done_ = steps, walk_.go_to(position), aside_.reset();
+  }
   /// Returns the state at a time that is not before the last one asked for, with its ripple.
   /// @param look  called with increasing times on the way, and states that are good enough for counting turns
-  template <class Look>
-  TiltedTopState<T> at(T t, T longest_time_between_looks, Look&& look) {
+  /// @param stop  called after whole steps
+  template <class Look, class Stop>
+  TiltedTopState<T> at(T t, T longest_time_between_looks, Look&& look, Stop&& stop) {
     const auto seen = [&](T begin) {
       return [&, begin](T since, const TiltedTopState<T>& x) {
         if (begin + since > looked_) looked_ = begin + since, look(looked_, x);
       };
     };
-    const auto whole = static_cast<std::int64_t>(std::floor(static_cast<double>(t / plan_.step) * (1 + 1e-12)));
-    if (whole > done_) {
-      walk_.advance(T(whole - done_) * plan_.step, longest_time_between_looks, seen(T(done_) * plan_.step));
+    if (const std::int64_t whole = whole_steps(t); whole > done_) {
+      walk_.advance(T(whole - done_) * plan_.step, longest_time_between_looks, seen(time_done()));
       done_ = whole;
+      stop();
     }
-    const T step_begin = T(done_) * plan_.step;
+    const T step_begin = time_done();
     if (!(t - step_begin > T(1e-12) * plan_.step)) return walk_.state();
     if (!aside_ || aside_at_ < step_begin) aside_.emplace(walk_), aside_at_ = step_begin;
     if (const T rest = t - aside_at_; rest > T(0)) {

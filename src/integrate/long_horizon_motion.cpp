@@ -41,8 +41,9 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
     watch.reach(static_cast<double>(i) / static_cast<double>(times.size()));
     TiltedTopState<double> x = top.start();
     if (i > 0)
-      x = path.at(times[i], longest_time_between_looks,
-                  [&](double t, const TiltedTopState<double>& between) { follow(top.seen(between, t).q_LF); });
+      x = path.at(
+          times[i], longest_time_between_looks,
+          [&](double t, const TiltedTopState<double>& between) { follow(top.seen(between, t).q_LF); }, [] {});
     if (watch.asks_to_stop()) {
       trajectory.status = RunStatus::interrupted;
       break;

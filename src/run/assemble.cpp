@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "drift/motion_way.hpp"
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
@@ -298,6 +299,9 @@ void plan_first(const Scene& scene, bool between, TwoIntegrations<T>& made, Drif
     made.looks.add(made.plan.picture.times_s, LookFor::picture);
   }
   problem.times_s = made.looks.times_s;
+  if (!between) return;
+  made.way->leave_at_s = made.plan.picture.times_s;
+  problem.way = made.way;
 }
 
 template <class T>
@@ -305,6 +309,7 @@ void make_second(DriftProblem<T>& problem, const Looks& looks, std::size_t count
                  std::optional<double> nudge_units) {
   problem.rotating = RotatingMotion::composed;
   problem.sought = DriftSought::distances;
+  problem.way.reset();
   problem.times_s = looks.compared(std::max<std::size_t>(1, count)).times_s;
   nudge(problem, T(nudge_units.value_or(round_off_of(problem).nudge)), nudged_for(problem, first));
 }

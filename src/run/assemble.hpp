@@ -18,6 +18,9 @@ struct TwoIntegrations {
   DriftTrajectory<T> first, second;
   LookPlan plan;
   Looks looks;  ///< of the first integration; the second has those for rows and judgement
+  std::shared_ptr<MotionWay> way = LookMemory::new_way();  ///< what the first integration and looks leave for later looks
+
+  LookMemory memory() const { return {first.kick_steps, way}; }
 };
 
 /// Sets the times of the first integration, those of the rows and of all other looks that it can take.

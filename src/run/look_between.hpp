@@ -75,7 +75,7 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
   looks.add(made.plan.trend.times_s, LookFor::trend);
   looks.add(made.plan.picture.times_s, LookFor::picture);
   if (between.empty())
-    between = look_again(scene, looks.times_s, made.options, made.first.kick_steps, watch.with_progress(nullptr)).samples;
+    between = look_again(scene, looks.times_s, made.options, made.memory(), watch.with_progress(nullptr)).samples;
   while (!between.empty() && between.back().state.t_s > result.reached_s) between.pop_back();
   std::vector<AzimuthSample> azimuths;
   for (std::size_t i = 0; i < between.size(); ++i)
@@ -102,7 +102,7 @@ LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const W
   };
   const auto look = [&scene, &made, next](std::vector<double> times_s) {
     return rows_of(scene, made.first.contact_events,
-                   look_again(scene, std::move(times_s), made.options, made.first.kick_steps, next()).samples);
+                   look_again(scene, std::move(times_s), made.options, made.memory(), next()).samples);
   };
   const auto exact = [&scene, &made, next](std::vector<double> times_s) {
     DriftProblem<T> problem = scene.problem<T>();

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "drift/motion_way.hpp"
 #include "scene/parts.hpp"
 
 namespace earthtop {
@@ -77,6 +78,14 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
   return plan;
 }
 
+/// Returns how many looks do not follow another one within a period of the axis's fastest motion.
+double looks_aside(const Scene& scene, std::span<const double> times_s) {
+  const double apart = 2 * std::numbers::pi / scene.pace().axis_rate_rad_s;
+  double count = 0;
+  for (std::size_t i = 1; i < times_s.size(); ++i) count += times_s[i] - times_s[i - 1] > apart ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 void Looks::add(std::span<const double> added_s, LookFor purpose) {
@@ -123,13 +132,17 @@ bool looks_between_rows(const IntegrationOptions& first, Precision precision) {
   return is_dense && precision == Precision::bits53;
 }
 
+std::shared_ptr<MotionWay> LookMemory::new_way() { return std::make_shared<MotionWay>(); }
+
 DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
-                                   const std::optional<KickSteps>& kick_steps, const Watch& watch) {
+                                   const LookMemory& memory, const Watch& watch) {
   DriftProblem<double> problem = scene.problem<double>();
   problem.times_s = std::move(times_s);
   problem.threshold_rad.reset();
-  IntegrationOptions again = options_for_looks(scene, first, static_cast<double>(problem.times_s.size()));
-  if (again.method == first.method) again.kick_steps = kick_steps;
+  problem.way = memory.way, problem.are_looks = true;
+  const auto looks = static_cast<double>(problem.times_s.size());
+  IntegrationOptions again = options_for_looks(scene, first, looks, looks_aside(scene, problem.times_s));
+  if (again.method == first.method) again.kick_steps = memory.kick_steps;
   return integrate_drift(problem, again, watch);
 }
 

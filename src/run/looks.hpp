@@ -5,6 +5,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -60,9 +62,16 @@ LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first);
 /// Whether the first integration of a run can look between its rows for next to nothing.
 bool looks_between_rows(const IntegrationOptions& first, Precision precision);
 
+/// What integrations for looks take over from the run and from each other.
+struct LookMemory {
+  std::optional<KickSteps> kick_steps;  ///< that the run's first integration has found
+  std::shared_ptr<MotionWay> way = new_way();
+  static std::shared_ptr<MotionWay> new_way();
+};
+
 /// The motion at other times, from an integration that is made for these looks, as options_for_looks has it (scene/parts.hpp).
-/// @param times_s  ascending, the release first   @param kick_steps  that the run's first integration has found
+/// @param times_s  ascending, the release first; of the first looks with a memory the last one is the end of the run
 DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
-                                   const std::optional<KickSteps>& kick_steps, const Watch& watch);
+                                   const LookMemory& memory, const Watch& watch);
 
 }  // namespace earthtop

@@ -36,7 +36,7 @@ SeenMotion look_at_motion(const Scene& scene, double until_s, double checked_s, 
   std::vector<double> times_s = looks.times_s;
   std::erase_if(times_s, [&](double t_s) { return t_s > until_s; });
   const DriftTrajectory<double> trajectory =
-      look_again(scene, std::move(times_s), options, kick_steps_of(scene, options, watch), watch.with_progress(nullptr));
+      look_again(scene, std::move(times_s), options, {kick_steps_of(scene, options, watch)}, watch.with_progress(nullptr));
   SeenMotion seen;
   seen.a_window = plan.looks_a_window;
   const std::vector<DriftRow> rows = rows_of(scene, trajectory.contact_events, trajectory.samples);

@@ -54,16 +54,32 @@ bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
 /// Returns the cost of the long-horizon method, in sets-up of its closed form and in looks between the rows.
 IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options, double looks) {
   // Between the parts of a kick that is spread over the nutation, the closed form is set up in double.
-  constexpr double kSecondsALook = 1e-6, kAveraging = 8.5e-7, kFollowing = 2.5e-6;
+  constexpr double kSecondsALook = 1e-6, kAveraging = 1.4e-6, kFollowing = 2e-6;  // AMD EPYC, 26 November 2026
   const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, looks);
   const double each = expected.averages ? kAveraging : kFollowing;
   return {expected.work, each * expected.work.evaluations + kSecondsALook * expected.looks};
 }
 
+/// Returns the time (s) of looks by the long-horizon method, less what the dense output of a series takes for them.
+/// @param asides  those of them that take a step aside
+double seconds_looking_far(const Scene& scene, const IntegrationOptions& options, double looks, double asides) {
+  constexpr double kSecondsALook = 1e-6;
+  return long_horizon_cost(scene, options, asides).seconds + kSecondsALook * looks;
+}
+
+/// Returns how many of a long run's looks between its rows take a step aside: one in each window for pictures, and those for the trend.
+double asides_in(const Scene& scene, const IntegrationOptions& options) {
+  constexpr double kATurn = 12, kFewest = 300, kMost = 1200;                     // windows
+  constexpr double kTrendATurn = 7.3, kFewestForTrend = 560, kTrendTurns = 400;  // looks for the trend
+  const double turns = long_horizon_drift_work(scene.problem<double>(), options, 0).precession_turns;
+  return std::clamp(kATurn * turns, kFewest, kMost) + std::max(kFewestForTrend, kTrendATurn * std::min(turns, kTrendTurns));
+}
+
 }  // namespace
 
 double PivotLaws::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const {
-  constexpr double kReduced = 1.2e-7, kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
+  constexpr double kReduced = 1.7e-7;  // AMD EPYC, 26 November 2026
+  constexpr double kDrivenOrder = 2e-7, kGeneralOrder = 4.5e-7;
   const bool reduced = scene.form(options) == ModelForm::reduced;
   if (options.method == Method::taylor && !scene.is_plain()) return reduced ? kDrivenOrder : kGeneralOrder;
   return reduced ? kReduced : general_evaluation_seconds(scene);
@@ -97,7 +113,7 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   return cost;
 }
 
-IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks) {
+IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks, double asides) {
   IntegrationOptions again = first;
   again.relative_tolerance = std::max(again.relative_tolerance, least_tolerance(Precision::bits53));
   if (is_exact(first.method) || first.method == Method::taylor || scene.method_refusal(Method::taylor)) return again;
@@ -106,13 +122,20 @@ IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOption
   series.step_s.reset();
   series.relative_tolerance = default_tolerance(Precision::bits53);
   laws_of(scene).take_series_form(scene, series);
-  const bool steps_aside = is_long_horizon(scene, first);
-  return steps_aside && long_horizon_cost(scene, first, looks).seconds < cost_of(scene, series).seconds ? again : series;
+  const bool is_far = is_long_horizon(scene, first);
+  return is_far && seconds_looking_far(scene, first, looks, asides) < cost_of(scene, series).seconds ? again : series;
 }
 
-double seconds_looking(const Scene& scene, const IntegrationOptions& first, double looks) {
-  const IntegrationOptions options = options_for_looks(scene, first, looks);
-  return (is_long_horizon(scene, options) ? long_horizon_cost(scene, options, looks) : cost_of(scene, options)).seconds;
+double picture_looks(const Scene& scene) {
+  constexpr double kLooksARadian = 2;
+  return std::min<double>(kMostPictureLooks, kLooksARadian * scene.pace().axis_rate_rad_s * scene.scenario().duration_s);
+}
+
+double seconds_looking(const Scene& scene, const IntegrationOptions& first) {
+  const double looks = picture_looks(scene);
+  const double asides = is_long_horizon(scene, first) ? asides_in(scene, first) : 0;
+  const IntegrationOptions options = options_for_looks(scene, first, looks, asides);
+  return is_long_horizon(scene, options) ? seconds_looking_far(scene, options, looks, asides) : cost_of(scene, options).seconds;
 }
 
 }  // namespace earthtop

@@ -63,12 +63,15 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene);
 // integration_cost.cpp: the cost of one integration with given options.
 IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options);
 /// Returns the options of an integration in double that is made for looks between the rows: by the method of a run if it can look at any
-/// time, otherwise by series, or by the run's method in scenes that have no series. long_horizon takes a step aside for each look, and
-/// series take its place where that is more work.
+/// time, otherwise by series, or by the run's method in scenes that have no series. Where looks by long_horizon are more work than
+/// a series over the whole run, that takes its place.
 /// @param first  of the run's first integration
-IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks);
-/// Returns the time (s) of that integration.
-double seconds_looking(const Scene& scene, const IntegrationOptions& first, double looks);
+/// @param asides  how many of the looks take a step aside by long_horizon
+IntegrationOptions options_for_looks(const Scene& scene, const IntegrationOptions& first, double looks, double asides);
+/// Returns about how often a run looks at its motion for pictures.
+double picture_looks(const Scene& scene);
+/// Returns the time (s) of an integration for these looks.
+double seconds_looking(const Scene& scene, const IntegrationOptions& first);
 /// Returns the time (s) of one right-hand side of both predictions and the deviation between them, in double and in the general
 /// form, including its share of the stepper.
 double general_evaluation_seconds(const Scene& scene);

@@ -33,12 +33,6 @@ RowSeconds seconds_a_row(Precision precision) {
   return precision == Precision::bits53 ? RowSeconds{7e-7, 1e-6} : RowSeconds{3e-5, 1e-4};
 }
 
-/// Returns about how often a run looks at its motion for pictures.
-double picture_looks(const Scene& scene) {
-  constexpr double kLooksARadian = 2;
-  return kLooksARadian * scene.pace().axis_rate_rad_s * scene.scenario().duration_s;
-}
-
 }  // namespace
 
 Work PivotLaws::growth_work(const Scene& scene) const {
@@ -60,14 +54,13 @@ RunEstimate estimate_run(const Scene& scene) {
   RunSeconds& seconds = estimate.seconds;
   seconds.solution = first.seconds + row.integrated * scene.rows();
   seconds.bound = second.seconds + row.integrated * scene.rows();
-  const double looks = picture_looks(scene);
   seconds.rows = row.assessed * scene.rows();
-  // The drift is computed anew at the times of the largest values in half of the runs; where windows stand for a long run, they are
-  // narrowed in two or three integrations more.
-  constexpr double kOnce = 0.5, kNarrowed = 2.5;
-  const double taken = std::min<double>(kMostPictureLooks, looks);
-  seconds.largest = row.assessed * taken +
-                    seconds_looking(scene, scene.choice().options, taken) * (looks < kMostPictureLooks ? kOnce : kNarrowed);
+  // The drift is computed anew at the times of the largest values in half of the runs. Where windows stand for a long run, as much goes into
+  // the looks of smaller ones, which begin at stops; a long_horizon also has to look at all of them first.
+  constexpr double kAnew = 0.5, kFar = 1.5;
+  const IntegrationOptions& chosen = scene.choice().options;
+  seconds.largest = row.assessed * picture_looks(scene) +
+                    seconds_looking(scene, chosen) * (chosen.method == Method::long_horizon ? kFar : kAnew);
   seconds.growth = seconds_a_variation(scene) * estimate.growth.evaluations;
   if (scenario.ledger) seconds.ledger = row.assessed * scene.rows();
   if (scenario.sensitivities)
@@ -77,7 +70,7 @@ RunEstimate estimate_run(const Scene& scene) {
 }
 
 double times_held(const Scene& scene, bool between) {
-  return 2 + scene.rows() + kJudgementLooks + (between ? std::min<double>(kMostPictureLooks, picture_looks(scene)) : 0);
+  return 2 + scene.rows() + kJudgementLooks + (between ? picture_looks(scene) : 0);
 }
 
 std::string about_seconds(double seconds, double limit_s) {

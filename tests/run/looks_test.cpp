@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drift/motion_way.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
@@ -145,6 +146,57 @@ TEST(Looks, AreEnoughToFindTheLargestValueOfManyPeriods) {
   const double there = run(Scene(until), {.watch = {}, .between = false}).rows.back().drift_axis_rad;
   EXPECT_NEAR(there, result.drift.axis_max_rad, kTruncation * there);
   EXPECT_GE(result.drift.axis_max_rad, result.drift.axis_final_rad);
+}
+
+/// Looks that follow each other closely go on by series, and later looks begin at the stops of those before: none of it may be seen in the
+/// motion. Steps aside, which rows take, know nothing of either.
+TEST(Looks, OfALongHorizonAreTheMotionOfItsRows) {
+  const auto gyro = [](double spin_rad_s, double rotation_rate_rad_s, RatesRelativeTo relative_to) {
+    Scenario s = shipped_scenario("fast-gyro");
+    s.release.spin_rad_s = spin_rad_s, s.release.rates_relative_to = relative_to;
+    s.rotation_rate_rad_s = rotation_rate_rad_s;
+    return s;
+  };
+  for (const Scenario& scenario :
+       {gyro(1047.2, 7.292115e-5, RatesRelativeTo::laboratory), gyro(1047.2, 1e-11, RatesRelativeTo::inertial),
+        gyro(-700, 7.292115e-5, RatesRelativeTo::inertial), gyro(400, -3e-4, RatesRelativeTo::laboratory)}) {
+    SCOPED_TRACE(::testing::Message() << scenario.rotation_rate_rad_s << " rad/s, spin " << scenario.release.spin_rad_s);
+    DriftProblem<double> rows = Scene(scenario).problem<double>();
+    IntegrationOptions options;
+    options.method = Method::long_horizon;
+    options.relative_tolerance = 1e-12;
+    options.kick_steps = integrate_drift(rows, options).kick_steps;
+    const double period_s = 2 * kHalfTurn * 4e-4 / (5e-4 * std::abs(scenario.release.spin_rad_s));
+    const auto windows = [&](double begin_s) {
+      std::vector<double> times_s{0};
+      for (double at_s = begin_s; at_s < scenario.duration_s - 1; at_s += 97)
+        for (int k = 0; k < 15; ++k) times_s.push_back(at_s + k * period_s / 9);
+      times_s.push_back(scenario.duration_s);
+      return times_s;
+    };
+    const auto way = std::make_shared<MotionWay>();
+    for (const double begin_s : {1e-3, 250.0}) {
+      rows.times_s = windows(begin_s);
+      DriftProblem<double> looks = rows;
+      looks.way = way, looks.are_looks = true;
+      const auto aside = integrate_drift(rows, options), seen = integrate_drift(looks, options);
+      ASSERT_EQ(seen.samples.size(), aside.samples.size());
+      EXPECT_LT(seen.counters.evaluations, aside.counters.evaluations);
+      const double drift = aside.samples.back().measures.axis, rate = norm(aside.samples.back().state.w_LB_B);
+      // Attitudes are held to the tolerance. A small drift is interpolated between rates at which it is some thousandths.
+      const bool is_small = drift < 1e-6;
+      const double error = testing::truncation(options.relative_tolerance);
+      const double allowed = testing::truncation(options.relative_tolerance, is_small ? 1000 * drift : 1);
+      for (std::size_t i = 0; i < seen.samples.size(); ++i) {
+        const DriftSample<double>&a = aside.samples[i], &b = seen.samples[i];
+        EXPECT_NEAR(b.measures.axis, a.measures.axis, allowed) << b.state.t_s;
+        EXPECT_NEAR(b.measures.tilt, a.measures.tilt, allowed) << b.state.t_s;
+        EXPECT_NEAR(b.azimuth, a.azimuth, 2 * allowed) << b.state.t_s;
+        EXPECT_NEAR(norm(Vec3<double>(b.state.ref_w_LB_B - a.state.ref_w_LB_B)), 0, error * rate) << b.state.t_s;
+        EXPECT_NEAR(norm(Vec3<double>(b.state.w_LB_B - a.state.w_LB_B)), 0, error * rate) << b.state.t_s;
+      }
+    }
+  }
 }
 
 /// The sum of two swings on a slope: its largest value is known from a search in small steps.

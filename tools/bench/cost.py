@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws what a whole run costs against duration, spin and friction: processor time of `earthtop run --jobs 1`, median of three.
+"""Ladders: what a whole run costs as one key of a scenario goes up in small steps, and where the cost jumps.
 
-    tools/bench/cost.py [EARTHTOP]      the program; default: build/release/tools/earthtop/earthtop
+    tools/bench/cost.py [--draw] [--only WORD] [EARTHTOP]      the program; default: build/release/tools/earthtop/earthtop
 
-Writes tools/bench/pictures/cost.svg.
+Prints the processor time of `earthtop run --jobs 1` at each step, least of three, and marks a factor above 3 between neighbours with `<--`.
+--draw takes the first four alone and writes them to tools/bench/pictures/cost.svg; --only takes the ladders with this word in their names.
+Exit status: 0, or 1 where there is a factor above 3.
 """
 
+import argparse
 import json
 import math
 import pathlib
 import resource
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -26,18 +28,37 @@ def decades(first, last, each=4):
     return [float(f"{first * 10 ** (i / each):.3g}") for i in range(n + 1)]
 
 
-# title, unit of the abscissa, scenario, key, values, other settings
+# title, unit of the abscissa, scenario, key, values, other settings; the first four are drawn
 PANELS = [
     ("duration", "s", "toy-top", "/motion/duration_s", decades(1, 10000), {}),
     ("duration, fast gyroscope", "s", "fast-gyro", "/motion/duration_s", decades(1, 100000), {}),
     ("spin, 60 s", "rad/s", "toy-top", "/release/spin_rad_s", decades(50, 5000), {}),
     ("viscous friction, 60 s", "N m s", "toy-top", "/effects/viscous_torque_N_m_s", decades(1e-10, 1e-3), {}),
 ]
+HOUR = {"/motion/duration_s": 3600, "/motion/output_step_s": 6}
+LADDERS = [
+    *PANELS,
+    ("spin, slow", "rad/s", "toy-top", "/release/spin_rad_s", [20 + 2.5 * i for i in range(29)], {}),
+    ("tilt", "deg", "toy-top", "/release/tilt_deg", [0, 0.01, 0.03, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 40, 60, 80, 90, 100, 130, 150, 170, 175, 179, 179.9, 180], {}),
+    ("small tilt, an hour", "deg", "fast-gyro", "/release/tilt_deg", [0.04 * i for i in range(1, 25)], HOUR),
+    ("tilt, an hour", "deg", "fast-gyro", "/release/tilt_deg", [1, 2, 5, 10, 20, 30, 45, 60, 75, 90, 105, 120, 150, 170, 175, 178, 179, 179.9], HOUR),
+    ("Earth rate", "rad/s", "toy-top", "/earth/rotation_rate_rad_s", decades(1e-14, 1, 1), {}),
+    ("Earth rate, an hour", "rad/s", "fast-gyro", "/earth/rotation_rate_rad_s", decades(1e-14, 1e-2, 1), HOUR),
+    ("time between rows", "s", "toy-top", "/motion/output_step_s", decades(0.01, 60), {}),
+    ("tolerance", "1", "toy-top", "/numerics/relative_tolerance", decades(1e-14, 1e-5, 1), {}),
+    ("tolerance, an hour", "1", "fast-gyro", "/numerics/relative_tolerance", decades(1e-14, 1e-5, 1), HOUR),
+    ("inertia about axis 2, a minute", "kg m2", "toy-top", "/body/inertia/principal_kg_m2/1", [1.2e-4 * (1 - 10.0**e) for e in (-17, -15, -12, -9, -6, -5, -4, -3, -2, -1)], {}),
+    ("offset, the pace of precession, an hour", "m", "unbalanced-gyro-hour", "/body/center_of_mass_m/2", decades(0.0005, 0.05, 6), {}),
+    ("duration, table", "s", "tippe-top", "/motion/duration_s", decades(0.1, 10), {}),
+]
+CLIFF = 3
+UNNOTICED_S = 0.02  # a shorter run costs nobody anything
 
 
 def cost(program, scenario, sets, out):
     """Processor time (s) of one run, and the method it took."""
-    command = [program, "run", str(ROOT / "scenarios" / (scenario + ".json")), "--jobs", "1", "--force", "--quiet", "--out", out]
+    folder = next(folder for folder in (ROOT / "scenarios", ROOT / "tools/bench/scenarios") if (folder / f"{scenario}.json").exists())
+    command = [program, "run", str(folder / f"{scenario}.json"), "--jobs", "1", "--force", "--quiet", "--out", out]
     for key, value in sets.items():
         command += ["--set", f"{key}={value}"]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -49,23 +70,35 @@ def cost(program, scenario, sets, out):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, summary["solution"]["method"]
 
 
-def measured(program):
-    lines = []
+def climbed(program, ladder):
+    """The steps of a ladder: value, processor time, method; no time where the scenario is refused."""
+    _, _, scenario, key, values, others = ladder
+    points = []
     with tempfile.TemporaryDirectory() as folder:
-        for title, unit, scenario, key, values, others in PANELS:
-            points = []
-            for value in values:
-                sets = {key: value, **others}
-                if key == "/motion/duration_s":
-                    sets["/motion/output_step_s"] = value / 200
-                runs = [cost(program, scenario, sets, folder + "/out") for _ in range(3)]
-                if runs[0][0] is None:
-                    continue
-                points.append((value, statistics.median(seconds for seconds, _ in runs), runs[0][1]))
-                if points[-1][1] > MOST_S:
-                    break
-            lines.append((title, unit, scenario, points))
-    return lines
+        for value in values:
+            sets = {**others, key: value}
+            if key == "/motion/duration_s":
+                sets["/motion/output_step_s"] = value / 200
+            runs = [cost(program, scenario, sets, folder + "/out") for _ in range(3)]
+            if runs[0][0] is not None:
+                points.append((value, min(seconds for seconds, _ in runs), runs[0][1]))
+            if points and points[-1][1] > MOST_S:
+                break
+    return points
+
+
+def told(ladder, points):
+    """Prints a ladder. @returns whether a step costs far more or less than its neighbour"""
+    title, unit, scenario, *_ = ladder
+    print(f"\n{scenario}: {title} ({unit})")
+    jumps = False
+    for i, (value, seconds, method) in enumerate(points):
+        before = points[i - 1][1] if i else seconds
+        ratio = max(seconds, UNNOTICED_S) / max(before, UNNOTICED_S)
+        jump = max(ratio, 1 / ratio) > CLIFF
+        jumps = jumps or jump
+        print(f"  {value:<12.6g} {seconds:8.3f} s  {method:<14}{f'<-- {ratio:.2f}' if jump else ''}", flush=True)
+    return jumps
 
 
 def picture(lines):
@@ -114,12 +147,27 @@ def picture(lines):
 
 
 def main():
-    program = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "build/release/tools/earthtop/earthtop")
-    lines = measured(program)
-    (ROOT / "tools/bench/pictures/cost.svg").write_text(picture(lines))
-    for title, unit, scenario, points in lines:
-        print(f"{scenario}, {title}:", ", ".join(f"{x:g} {unit} {y:.3g} s {m}" for x, y, m in points))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--draw", action="store_true")
+    parser.add_argument("--only", default="")
+    parser.add_argument("program", nargs="?", default=str(ROOT / "build/release/tools/earthtop/earthtop"))
+    given = parser.parse_args()
+    jumped, drawn = [], []
+    for ladder in PANELS if given.draw else LADDERS:
+        title, unit, scenario, *_ = ladder
+        name = f"{scenario}: {title}"
+        if given.only not in name:
+            continue
+        points = climbed(given.program, ladder)
+        if told(ladder, points):
+            jumped.append(name)
+        drawn.append((title, unit, scenario, points))
+    if given.draw:
+        (ROOT / "tools/bench/pictures/cost.svg").write_text(picture(drawn))
+    if jumped:
+        print("\na factor above 3 in: " + "; ".join(jumped))
+    return 1 if jumped else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -102,6 +102,8 @@ struct TableProblem {
   std::optional<double> static_coefficient{};  ///< friction over normal force above which a rolling tip would slip
 };
 
+class MotionWay;
+
 /// A problem of which both motions and their deviation are sought.
 template <class T>
 struct DriftProblem : MotionProblem<T> {
@@ -109,6 +111,11 @@ struct DriftProblem : MotionProblem<T> {
   RotatingMotion rotating = RotatingMotion::integrated;
   DriftSought sought = DriftSought::rows;  ///< with `distances` the samples' spin and azimuth are not followed
   std::optional<TableProblem<T>> table;    ///< none: a fixed pivot
+  /// What integrations of a run in double remember for later looks at it; null: nothing.
+  std::shared_ptr<MotionWay> way;
+  /// Whether the times are looks and not rows. The integration then begins anew at stops that others have left on the way, and long_horizon
+  /// goes from one look to the next by series; so the last digits at a time depend on what was looked at before.
+  bool are_looks = false;
 
   /// The attitude at release in the laboratory; on a table that of the release is relative to the table.
   Quaternion<T> released_attitude() const { return table ? table->start.q_LH * this->release.q_LB : this->release.q_LB; }

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
+#include "drift/long_horizon/followed_nutation.hpp"
 #include "drift/long_horizon/long_horizon_pair.hpp"
 #include "drift/long_horizon/long_horizon_work.hpp"
 #include "drift/long_horizon/rate_interpolation.hpp"
+#include "drift/motion_way.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/watch/step_watcher.hpp"
 #include "drift/watch/threshold_watch.hpp"
@@ -28,6 +32,18 @@ using Pair = LongHorizonPair<T>;
 using PairSystem = LongHorizonPairSystem<T>;
 using Joined = JoinedPair<T>;
 
+/// What the walks of a run leave for later looks.
+struct WalkedStops {
+  struct Stop {
+    LongHorizonWalk<T>::Position position;
+    Pair followed;  ///< both motions there, to which angles have been followed
+    StepWatcherTurns<T> turns;
+  };
+  using OfRate = std::map<std::int64_t, Stop>;  ///< by the number of steps
+  std::map<T, OfRate> of;                       ///< by the Earth's rate
+  T node = T(0);  ///< the largest rate at which a small drift is taken; 0: none has been found yet
+};
+
 class LongHorizonDrift {
  public:
   LongHorizonDrift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch)
@@ -38,6 +54,7 @@ class LongHorizonDrift {
         symmetric_(reduced_top(problem.model)),
         release_(problem.natural_release()),
         times_(natural_times(problem)),
+        duration_(problem.are_looks ? problem.way->duration_from(times_.back()) : times_.back()),
         reference_(top_at(T(0))),
         reference_flow_(reference_, reference_.start()) {}
 
@@ -61,9 +78,9 @@ class LongHorizonDrift {
     set_step(plan);
     T largest_node = std::numeric_limits<T>::infinity();
     if (plan.averages()) {
-      const T averaging = averaging_error(top, times_.back(), plan.averaging);
-      stated_error_ = averaging / times_.back();
-      largest_node = epsilon * long_horizon::largest_node(top, times_.back(), plan.averaging);
+      const T averaging = averaging_error(top, duration_, plan.averaging);
+      stated_error_ = averaging / duration_;
+      largest_node = epsilon * long_horizon::largest_node(top, duration_, plan.averaging);
     }
     DriftTrajectory<T> plain = watch_walk(top, plan, epsilon);
     const T largest = largest_drift(epsilon);
@@ -71,9 +88,9 @@ class LongHorizonDrift {
     // Two walks with long steps may have the same error, mostly in the turn about the axis, which their comparison does not
     // show: up to 5e-12 rad, as in one of 180 gyroscopes, or, at a loose tolerance, five times what averaging is said to leave over.
     if (plan.averages() && difference_suffices) {
-      const T unseen = std::max(long_horizon::kUnseenError, long_horizon::kUnseenShare * stated_error_ * times_.back());
+      const T unseen = std::max(long_horizon::kUnseenError, long_horizon::kUnseenShare * stated_error_ * duration_);
       for (std::size_t i = 0; i < plain.samples.size(); ++i) {
-        const T so_far = unseen * (times_[i] / times_.back());
+        const T so_far = unseen * (times_[i] / duration_);
         plain.samples[i].drift_error += so_far, plain.samples[i].attitude_error += so_far;
       }
     }
@@ -87,8 +104,13 @@ class LongHorizonDrift {
   static constexpr double kWalkShare = 0.75;  ///< share of the remaining work that is left after a walk, for the progress
 
   Top top_at(T epsilon) const { return Top(model_, symmetric_, release_, Vec3<T>(epsilon * model_.W_IL_L_scaled)); }
+  Model<T> model_at(T epsilon) const {
+    Model<T> model = model_;
+    model.epsilon = epsilon, model.W_IL_L = epsilon * model_.W_IL_L_scaled;
+    return model;
+  }
   LongHorizonPlan<T> plan_of(const Top& top, T tolerance) {
-    const T duration = times_.back();
+    const T duration = duration_;
     if (options_.step_s) {
       const T step = problem_.units.time_from_s(T(*options_.step_s));
       return make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance));
@@ -104,8 +126,7 @@ class LongHorizonDrift {
   }
   bool is_second() const { return options_.observer != Observer::laboratory; }
   void set_step(const LongHorizonPlan<T>& plan) {
-    step_s_ =
-        static_cast<double>(real::scale(T(times_.back() / T(steps_in(plan, times_.back()))), problem_.units.time_exponent));
+    step_s_ = static_cast<double>(real::scale(T(duration_ / T(steps_in(plan, duration_))), problem_.units.time_exponent));
   }
 
   Pair pair(const TiltedTopState<T>& rotating, const Top& top, T t, T epsilon) const {
@@ -129,28 +150,80 @@ class LongHorizonDrift {
     return real::isfinite(p.e_w + p.y.sum() + p.across.re + p.across.im + p.ref_q_LF.w + p.ref_across.re + p.ref_across.im);
   }
 
+  /// Follows the pairs of a walk.
+  struct Watched {
+    PairSystem system;
+    StepWatcher<T, PairSystem> watcher;
+    Watched(const LongHorizonDrift& drift, T epsilon)
+        : system(epsilon, drift.release_.w_XB_B[2]), watcher(system, drift.problem_) {
+      system.start_from(drift.problem_.release.q_LB);
+    }
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+  };
+
+  /// Lets a walk go on from the last stop before t, if that is ahead.
+  static void go_to_stop(const WalkedStops::OfRate& stops, T t, LongHorizonPath<T>& path, Watched* watched) {
+    const auto after = stops.upper_bound(path.whole_steps(t));
+    if (after == stops.begin()) return;
+    const auto& [steps, stop] = *std::prev(after);
+    if (steps <= path.steps_done()) return;
+    path.go_to(steps, stop.position);
+    if (watched == nullptr) return;
+    watched->system.follow(stop.followed);
+    watched->watcher.go_on_from(stop.turns);
+  }
+
   /// Makes one walk and notes the pair at each row. @param look  called with time and pair, at the rows and between them
+  /// @param watched  what `look` shows the pairs to; null if nothing
   template <class Look>
-  void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T longest_time_between_looks, Look&& look) {
-    LongHorizonPath<T> path(top, plan, times_.back(), counters_, watch_);
+  void walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon, T longest_time_between_looks, Watched* watched,
+            Look&& look) {
+    LongHorizonPath<T> path(top, plan, duration_, counters_, watch_);
+    const Model<T> model = model_at(epsilon);
+    std::optional<FollowedNutation> followed;
+    WalkedStops::OfRate* stops = nullptr;
+    if (problem_.are_looks) {
+      stops = &problem_.way->stops<WalkedStops>().of[epsilon];
+      if (real::isfinite(top.nutation_period())) followed.emplace(model, release_, top.nutation_period());
+    }
     const Watch part = next_walk();
     pairs_.clear();
     for (std::size_t i = 0; i < times_.size() && goes_on(); ++i) {
-      part.reach(static_cast<double>(times_[i] / times_.back()));
-      TiltedTopState<T> state = top.start();
-      if (i > 0) {
-        if (!has_room_for(path.steps_to(times_[i]))) return;
-        state = path.at(times_[i], longest_time_between_looks,
-                        [&](T t, const TiltedTopState<T>& x) { look(t, pair(x, top, t, epsilon)); });
+      const T t = times_[i];
+      part.reach(static_cast<double>(t / duration_));
+      Pair p;
+      if (i > 0 && followed && followed->reaches(t)) {
+        p = followed->at(t);
+      } else {
+        TiltedTopState<T> state = top.start();
+        if (i > 0) {
+          if (stops != nullptr) go_to_stop(*stops, t, path, watched);
+          if (!has_room_for(path.steps_to(t))) return;
+          state = path.at(
+              t, longest_time_between_looks,
+              [&](T on_the_way, const TiltedTopState<T>& x) {
+                if (on_the_way > times_[i - 1]) look(on_the_way, pair(x, top, on_the_way, epsilon));
+              },
+              [&] {
+                if (stops == nullptr) return;
+                const T here = path.time_done();
+                const Pair there = pair(path.walk().state(), top, here, epsilon);
+                if (here > times_[i - 1]) look(here, there);
+                const auto turns = watched != nullptr ? watched->watcher.turns() : StepWatcherTurns<T>();
+                stops->try_emplace(path.steps_done(), WalkedStops::Stop{path.walk().position(), there, turns});
+              });
+        }
+        if (!goes_on()) return;
+        p = pair(state, top, t, epsilon);
+        if (followed) followed->begin(t, p);
       }
-      if (!goes_on()) return;
-      const Pair p = pair(state, top, times_[i], epsilon);
       if (!finite(p)) {
         trajectory_status_ = RunStatus::not_finite;
         return;
       }
       pairs_.push_back(p);
-      look(times_[i], p);
+      look(t, p);
     }
   }
   /// Searches for the threshold, going from step to step once more. Each look between two steps takes walks of its own from the
@@ -186,9 +259,9 @@ class LongHorizonDrift {
     if (!walks.empty()) watch.follow(look_at(T(0)), look_at);
     // Goes on in the walks' own steps, so that no look in between is more than the work of one step away.
     const T reached = pairs_.empty() ? T(0) : times_[pairs_.size() - 1];
-    const std::int64_t steps = walks.empty() ? 0 : steps_in(walked_.front().plan, times_.back());
+    const std::int64_t steps = walks.empty() ? 0 : steps_in(walked_.front().plan, duration_);
     for (std::int64_t step = 1; step <= steps && begin < reached && !watch.done() && goes_on(); ++step) {
-      const T end = std::min(reached, T(times_.back() * (T(step) / T(steps))));
+      const T end = std::min(reached, T(duration_ * (T(step) / T(steps))));
       watch.follow(watch.has_passed() ? axis_look(end, state_at(end)) : look_at(end), look_at);
       for (LongHorizonWalk<T>& walk : walks) walk.advance(end - begin, T(0), [](T, const TiltedTopState<T>&) {});
       begin = end;
@@ -205,34 +278,30 @@ class LongHorizonDrift {
   /// The part of the watch for the next walk. If the drift may be large enough, the first walk is the only one. Otherwise there
   /// are about five more, if the first rates tried for them are right.
   Watch next_walk() {
-    const bool is_alone = walks_ == 0 && norm(model_.W_IL_L) * times_.back() > kSmall;
+    const bool is_alone = walks_ == 0 && norm(model_.W_IL_L) * duration_ > kSmall;
     const double done = walks_ == 0 ? 0 : 1 - real::pow(kWalkShare, walks_);
     ++walks_;
     return watch_.part(done, is_alone ? 1 : 1 - real::pow(kWalkShare, walks_));
   }
   T longest_time_between_looks(const Top& top, bool averages) const {
     const T rate = top.frame_rate() + reference_.frame_rate() + norm(model_.W_IL_L);
-    return rate > T(0) ? T(long_horizon::look_angle(averages)) / rate : times_.back();
+    return rate > T(0) ? T(long_horizon::look_angle(averages)) / rate : duration_;
   }
 
   DriftTrajectory<T> watch_walk(const Top& top, const LongHorizonPlan<T>& plan, T epsilon) {
-    PairSystem system(epsilon, release_.w_XB_B[2]);
-    system.start_from(problem_.release.q_LB);
-    StepWatcher<T, PairSystem> watcher(system, problem_);
+    Watched watched(*this, epsilon);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     std::size_t rows = 0;
-    walk(top, plan, epsilon, longest_time_between_looks(top, plan.averages()), [&](T t, const Pair& p) {
-      watcher(t, p);
-      if (pairs_.size() > rows) add_sample(watcher, p, rows++, trajectory);
+    walk(top, plan, epsilon, longest_time_between_looks(top, plan.averages()), &watched, [&](T t, const Pair& p) {
+      watched.watcher(t, p);
+      if (pairs_.size() > rows) add_sample(watched.watcher, p, rows++, trajectory);
     });
     return finished(trajectory);
   }
   /// The trajectory from the pairs noted already.
   DriftTrajectory<T> watched(T epsilon, bool exact) {
-    PairSystem system(epsilon, release_.w_XB_B[2]);
-    system.start_from(problem_.release.q_LB);
-    StepWatcher<T, PairSystem> watcher(system, problem_);
+    Watched seen(*this, epsilon);
     DriftTrajectory<T> trajectory;
     trajectory.samples.reserve(times_.size());
     const T every = longest_time_between_looks(reference_, !walked_.empty() && walked_.front().plan.averages());
@@ -242,10 +311,10 @@ class LongHorizonDrift {
         for (T t = times_[i - 1] + every; t < times_[i]; t += every) {
           Pair between = pairs_[i - 1];
           between.ref_q_LF = reference_.seen(reference_flow_.at(t), t).q_LF;
-          system.follow(between);
+          seen.system.follow(between);
         }
-      watcher(times_[i], pairs_[i]);
-      add_sample(watcher, pairs_[i], i, trajectory);
+      seen.watcher(times_[i], pairs_[i]);
+      add_sample(seen.watcher, pairs_[i], i, trajectory);
     }
     if (exact) counters_.evaluations += 1;
     return finished(trajectory);
@@ -279,16 +348,19 @@ class LongHorizonDrift {
     constexpr T kRoundOff = 1e-13;
     // The Earth turns by a radian at most. An axis that has not drifted by then, as one parallel to the Earth's, hardly drifts
     // at any rate.
-    T most = std::min(largest_node, T(1) / times_.back());
-    T node = std::min(most, drift > kResolved ? T(epsilon * kNodeDrift / drift) : T(kNodeDrift / times_.back()));
+    T most = std::min(largest_node, T(1) / duration_);
+    T node = std::min(most, drift > kResolved ? T(epsilon * kNodeDrift / drift) : T(kNodeDrift / duration_));
+    const bool is_known = problem_.are_looks && problem_.way->stops<WalkedStops>().node > T(0);
+    if (is_known) node = problem_.way->stops<WalkedStops>().node;
     for (int trial = 0; trial < 60; ++trial) {
       const Top top = top_at(node);
       const LongHorizonPlan<T> plan = plan_of(top, long_horizon::node_tolerance(options_.relative_tolerance));
-      walk(top, plan, node, T(0), quiet);
+      walk(top, plan, node, T(0), nullptr, quiet);
       const T reached = largest_drift(node);
       if (trajectory_status_ != RunStatus::completed) return reached;
       if (reached == T(0) || (reached < kRoundOff && node >= most)) return T(0);
-      if (reached > kNodeDrift * T(2) || (reached < kNodeDrift / T(8) && node < most)) {
+      const bool fits = !(reached > kNodeDrift * T(2) || (reached < kNodeDrift / T(8) && node < most));
+      if (!fits && !(is_known && trial == 0)) {  // a rate that is known was tried over the whole run
         node = std::min(most, T(node * std::clamp(T(kNodeDrift / reached), T(1e-6), T(1e3))));
         continue;
       }
@@ -301,11 +373,14 @@ class LongHorizonDrift {
         const Top other = top_at(kRateNodes[i] * node);
         same.filter = make_filter(other, plan.averaging, is_second());
         walked_.push_back({other, same, kRateNodes[i] * node});
-        walk(other, same, kRateNodes[i] * node, T(0), quiet);
+        walk(other, same, kRateNodes[i] * node, T(0), nullptr, quiet);
         if (trajectory_status_ != RunStatus::completed) return reached;
         at[i] = pairs_;
       }
-      if (join(at, epsilon, node) || trial > 40) return reached;
+      if (join(at, epsilon, node) || trial > 40) {
+        if (problem_.are_looks) problem_.way->stops<WalkedStops>().node = node;
+        return reached;
+      }
       if (node >= most) most /= T(4);
       node /= T(4);
     }
@@ -332,6 +407,7 @@ class LongHorizonDrift {
   ReducedTop<T> symmetric_;
   NaturalRelease<T> release_;
   std::vector<T> times_;
+  T duration_;
   Top reference_;
   Top::Flow reference_flow_;
   StepCounters counters_;

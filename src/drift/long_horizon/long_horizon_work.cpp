@@ -96,6 +96,7 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
   }
   const double rate = top.frame_rate() + top_at(0).frame_rate() + norm(model.W_IL_L);
   if (!nutates_little(problem)) total.error_rad = std::numeric_limits<double>::infinity();
+  total.precession_turns = duration * top.precession_rate() / (2 * real::pi<double>());
   total.looks = duration * rate / long_horizon::look_angle(total.averages);
   return total;
 }

@@ -14,7 +14,8 @@ struct LongHorizonDriftWork {
   Work work;              ///< evaluations are set-ups of the closed form
   double looks = 0;       ///< how often the motion is evaluated between the rows, to count turns of its angles
   bool averages = false;  ///< whether the steps average over the nutation
-  double drift_rad = 0;   ///< of the axis at the end, in rough terms
+  double precession_turns = 0;
+  double drift_rad = 0;  ///< of the axis at the end, in rough terms
   /// Of that drift, by the tolerance of the steps, their round-off and what averaging leaves; infinite where the release flings the top
   /// round, whose nutation is not small, so that these do not tell it.
   double error_rad = 0;

@@ -37,6 +37,12 @@ struct SearchOf<T, System> {
   using Type = FlowSearch<T, typename System::Flow>;
 };
 
+/// How often the two angles have gone round.
+template <class T>
+struct StepWatcherTurns {
+  TurnCounter<T> half_spin, azimuth;
+};
+
 /// Is called with every step. It keeps the angles continuous, and finds when the axis drift first passes the threshold.
 template <class T, class System>
 class StepWatcher {
@@ -68,6 +74,9 @@ class StepWatcher {
     search(t, x);
     return sample_of(state, t_s);
   }
+  /// How often the angles have gone round so far, for another watcher that goes on from here.
+  const StepWatcherTurns<T>& turns() const { return turns_; }
+  void go_on_from(const StepWatcherTurns<T>& turns) { turns_ = turns; }
   /// The record of the drift's first passing of the threshold, in seconds; none where no threshold is asked for.
   std::optional<ThresholdRecord<T>> threshold() const {
     if constexpr (!std::is_same_v<Search, NoSearch>)
@@ -84,8 +93,8 @@ class StepWatcher {
   }
   void follow_angles(const DriftState<T>& state) {
     const DriftPhases<T> phases = drift_phases(state);
-    half_spin_.follow(phases.half_spin_sine, phases.half_spin_cosine);
-    if (phases.azimuth_defined) azimuth_.follow(phases.azimuth_sine, phases.azimuth_cosine);
+    turns_.half_spin.follow(phases.half_spin_sine, phases.half_spin_cosine);
+    if (phases.azimuth_defined) turns_.azimuth.follow(phases.azimuth_sine, phases.azimuth_cosine);
   }
   void search([[maybe_unused]] T t, [[maybe_unused]] const typename System::State& x) {
     if constexpr (!std::is_same_v<Search, NoSearch>)
@@ -95,8 +104,8 @@ class StepWatcher {
     DriftSample<T> sample;
     sample.state = state;
     sample.measures = measure_drift(state, sought_);
-    sample.spin = T(2) * (sample.measures.half_spin + half_spin_.offset());
-    sample.azimuth = sample.measures.azimuth + azimuth_.offset();
+    sample.spin = T(2) * (sample.measures.half_spin + turns_.half_spin.offset());
+    sample.azimuth = sample.measures.azimuth + turns_.azimuth.offset();
     sample.state.t_s = T(t_s);
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
@@ -118,7 +127,7 @@ class StepWatcher {
   System& system_;
   const NaturalUnits& units_;
   DriftSought sought_;
-  TurnCounter<T> half_spin_, azimuth_;
+  StepWatcherTurns<T> turns_;
   std::optional<Search> search_;
 };
 
