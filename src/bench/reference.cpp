@@ -58,7 +58,10 @@ std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<
   options.relative_tolerance = tolerance;
   const DriftTrajectory<T> trajectory = integrate_drift(problem, options, watch);
   if (trajectory.status == RunStatus::interrupted)
-    throw ScenarioError("", "no reference: it takes far longer than was estimated; a shorter duration has one sooner");
+    throw ScenarioError("",
+                        "no reference: source and witness take more than three times as long as they may; give a shorter "
+                        "duration, or more time "
+                        "by --reference-limit");
   if (trajectory.status != RunStatus::completed)
     throw ScenarioError(
         "", fmt::format("no reference: {} in extended precision ended with {} after {:.6g} s; take a shorter duration",

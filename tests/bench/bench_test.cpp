@@ -174,8 +174,10 @@ TEST(Bench, AReferenceThatIsNotCompletedIsRefused) {
     certified_reference(testing::toy_top(), {0, 1}, Precision::bits64, &stop);
     FAIL();
   } catch (const ScenarioError& error) {
-    EXPECT_STREQ(error.what(),
-                 "error: no reference: it takes far longer than was estimated; a shorter duration has one sooner");
+    EXPECT_STREQ(
+        error.what(),
+        "error: no reference: source and witness take more than three times as long as they may; give a shorter duration, "
+        "or more time by --reference-limit");
   }
 }
 
