@@ -5,8 +5,11 @@
 
 #include <any>
 #include <map>
+#include <optional>
 #include <typeindex>
 #include <vector>
+
+#include "earthtop/integrate/options.hpp"
 
 namespace earthtop {
 
@@ -17,6 +20,8 @@ class MotionWay {
     if (duration_ == 0) duration_ = last_time;
     return duration_;
   }
+  /// The options of the first looks, which later ones take over: only so do they find stops.
+  std::optional<IntegrationOptions> looked_by;
   /// The times (s) of an integration's rows and looks at which it leaves stops; ascending. Rows must not be among them: what is said of the
   /// whole motion does not depend on them. An integration for looks leaves stops wherever they are far enough apart.
   std::vector<double> leave_at_s;

@@ -140,10 +140,13 @@ DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times
   problem.times_s = std::move(times_s);
   problem.threshold_rad.reset();
   problem.way = memory.way, problem.are_looks = true;
-  const auto looks = static_cast<double>(problem.times_s.size());
-  IntegrationOptions again = options_for_looks(scene, first, looks, looks_aside(scene, problem.times_s));
-  if (again.method == first.method) again.kick_steps = memory.kick_steps;
-  return integrate_drift(problem, again, watch);
+  if (!memory.way->looked_by) {
+    const auto looks = static_cast<double>(problem.times_s.size());
+    IntegrationOptions known = first;
+    known.kick_steps = memory.kick_steps;
+    memory.way->looked_by = options_for_looks(scene, known, looks, looks_aside(scene, problem.times_s));
+  }
+  return integrate_drift(problem, *memory.way->looked_by, watch);
 }
 
 }  // namespace earthtop

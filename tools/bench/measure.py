@@ -152,6 +152,19 @@ def long_horizons(lab):
     lab.write_between(SPEED, "long horizons", f"{measured('tools/bench/measure.py long-horizons')}: processor time of one core, the start of the\nprogram included, median of five runs.\n\n" + "\n".join(lines))
 
 
+def real_tops(lab):
+    """Friction and tables beside two motions by odeint."""
+    table = lab.call([lab.built("earthtop-real-tops"), "7"])
+    lab.write_between(
+        "README.md",
+        "real tops",
+        "The same for a minute of real tops, with friction in the pivot and on a table, against the difference of two motions in the equations of\n"
+        "any body:\n\n"
+        + table
+        + f"\n{measured('tools/bench/measure.py real-tops')}.",
+    )
+
+
 def digits(lab):
     """One second in three precisions; of the drift in double, the digits that agree with those of float128."""
     lines = ["| one second, 11 rows | evaluations | final axis drift (rad) | its bound (rad) |", "| --- | ---: | --- | ---: |"]
@@ -278,12 +291,16 @@ def headline_files():
 PARTS = [
     ("short", "what auto takes beside odeint, GSL and SUNDIALS", "README.md: the table of speed", "a minute", True, False, [],
      several(lambda lab: [HERE / "speed-against-error.py", "--short", lab.program])),
+    ("real-tops", "tops with friction and on a table beside two motions by odeint", "README.md: the table of real tops", "a minute", True, False,
+     ["earthtop-real-tops"], real_tops),
     ("speed", "every method and peer at three errors, fronts, four pictures; the short table", f"{SPEED}: Speed against error; README.md", "minutes", True, False, [],
      several(lambda lab: [HERE / "speed-against-error.py", lab.program])),
     ("runs", "whole runs, one motion, a study", f"{SPEED}: Whole runs", "minutes", False, False, [],
      several(lambda lab: [HERE / "table.sh", lab.program])),
     ("cost", "whole runs against duration, spin and friction", f"{SPEED}: Whole runs, the picture", "minutes", True, False, [],
-     several(lambda lab: [HERE / "cost.py", lab.program])),
+     several(lambda lab: [HERE / "cost.py", "--draw", lab.program])),
+    ("ladders", "whole runs as duration, spin, tilt, Earth rate, rows, tolerance, asymmetry and offset go up; where the cost jumps",
+     f"{SPEED}: Whole runs, cliffs", "5 minutes", False, False, [], several(lambda lab: [HERE / "cost.py", lab.program])),
     ("resonance", "error of the compositions against the step", f"{SPEED}: Fixed steps, the picture", "minutes", True, False, ["earthtop-step-resonance"],
      several(lambda lab: ([lab.built("earthtop-step-resonance")], "tools/bench/pictures/step-resonance.svg"))),
     ("reduced", "the reduced against the general equations", f"{SPEED}: Reduced and general equations", "minutes", True, False, ["earthtop-reduced-general"], reduced),

@@ -72,10 +72,12 @@ LongHorizonDriftWork long_horizon_drift_work(const DriftProblem<double>& problem
       const double step = problem.units.time_from_s(*options.step_s);
       work = walking_work(top, make_plan(top, kick_schedules::gauss(4), step, may_average(top, duration, step, tolerance)),
                           duration, looks);
+    } else if (options.kick_steps) {
+      work = walking_work(top, plan_from(top, *options.kick_steps, problem.units), duration, looks);
     } else {
       work = expected_work(top, duration, tolerance, looks, is_second ? long_horizon::kGoldenPart : 1);
     }
-    const bool searches = !options.step_s && !is_second;
+    const bool searches = !options.step_s && !options.kick_steps && !is_second;
     total.work.steps += walks * work.steps + (searches ? work.search_steps : 0);
     total.work.evaluations += walks * work.evaluations + (searches ? work.search_evaluations : 0);
     averaging = work.averaging;
