@@ -107,7 +107,7 @@ const Field* meant_elsewhere(const FieldTable& table, std::string_view key, cons
     const std::vector<std::string_view> keys = table.keys_below(object.pattern);
     take(object.pattern, meant_key(table, key, object.pattern, keys));
     const std::string name = lower_case(object.pattern.substr(object.pattern.rfind('/') + 1)) + "_";
-    if (name.size() > 1 && lower_case(key).starts_with(name))
+    if (name.size() > 1 && lower_case(key.substr(0, name.size())) == name)
       take(object.pattern, meant_key(table, key.substr(name.size()), object.pattern, keys));
   }
   return best && (alone || least != Nearness::incomplete) ? best : nullptr;
