@@ -65,6 +65,7 @@ void append_utf8(char32_t code, std::string& out) {
 }
 
 bool is_unseen(char32_t code) {
+  if (code >= 0x20 && code < 0x7F) return false;  // most texts are ASCII
   struct Span {
     char32_t first, last;
   };

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -60,9 +61,15 @@ void add_option(const Option& option, CLI::App& app) {
     added->check([&option](const std::string& given) { return complaint_of_word(given, option.words); });
 }
 
-void fill(CLI::App& app, const Verb& verb) {
+/// @param first  the first word for this verb: where it names a verb below, the parser enters that one, and the options of the others,
+/// which take longer to add than the words to parse, are left out
+void fill(CLI::App& app, const Verb& verb, std::string_view first = "") {
   for (const Option& option : verb.options) add_option(option, app);
-  for (const Verb& sub : verb.verbs) fill(*app.add_subcommand(sub.name), sub);
+  const bool is_verb = std::ranges::find(verb.verbs, first, &Verb::name) != verb.verbs.end();
+  for (const Verb& sub : verb.verbs) {
+    CLI::App& parser = *app.add_subcommand(sub.name);
+    if (!is_verb || sub.name == first) fill(parser, sub);
+  }
   if (!verb.verbs.empty()) app.require_subcommand(0, 1);
 }
 
@@ -115,7 +122,7 @@ std::string complaint_of_flag(const CLI::ConversionError& error) {
 Request read_command_line(const Verb& program, int argc, char** argv) {
   CLI::App app;
   app.set_help_flag(std::string(kHelpShort) + "," + std::string(kHelpOption));
-  fill(app, program);
+  fill(app, program, argc > 1 ? argv[1] : "");
   bool is_for_help = false;
   std::string complaint;
   try {

@@ -95,6 +95,7 @@ foreach(pair IN LISTS packages)
   install(FILES copyright ${debian_dir}/changelog.gz ${debian_dir}/changelog.Debian.gz DESTINATION share/doc/${package}
           COMPONENT ${component}-debian EXCLUDE_FROM_ALL)
 endforeach()
+install(FILES earthtop.lintian-overrides DESTINATION share/lintian/overrides RENAME earthtop COMPONENT program-debian EXCLUDE_FROM_ALL)
 file(CREATE_LINK ../../earthtop/scenarios ${debian_dir}/examples SYMBOLIC) # where Debian users look for examples
 install(FILES ${debian_dir}/examples ${debian_dir}/README.md.gz DESTINATION share/doc/earthtop COMPONENT program-debian EXCLUDE_FROM_ALL)
 

@@ -27,6 +27,7 @@ set(known_libraries
   "|||m|LGPL-2.1-or-later"
   "|||ld-linux.*|LGPL-2.1-or-later"
   "|||gcc_s|GPL-3.0-or-later WITH GCC-exception-3.1"
+  "|||gcc_eh|GPL-3.0-or-later WITH GCC-exception-3.1"
   "|||stdc[+][+]|GPL-3.0-or-later WITH GCC-exception-3.1"
   # MPI and SUNDIALS, which are given as files, and what Open MPI brings along
   "|||sundials_.*|BSD-3-Clause"
@@ -99,13 +100,38 @@ function(linked_libraries library)
   endforeach()
 endfunction()
 
-# list_of_linked(TARGET NAME LIST HEADERS NAMES... STATIC FILES...) makes a target TARGET-list, which writes LIST, what of other libraries
+# link_archives(TARGET NAMES...) links TARGET with earthtop::workbench, and for these libraries with their archives; with the shared
+# library where there is none. Its property EARTHTOP_ARCHIVES says which were found. An archive is looked for where CMake looks for
+# libraries, and where the compiler has its own.
+function(link_archives target)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libstdc++.a OUTPUT_VARIABLE of_compiler OUTPUT_STRIP_TRAILING_WHITESPACE)
+  cmake_path(GET of_compiler PARENT_PATH of_compiler)
+  set(archives "")
+  foreach(library IN LISTS ARGN)
+    find_library(EARTHTOP_STATIC_${library} NAMES lib${library}.a HINTS ${of_compiler})
+    mark_as_advanced(EARTHTOP_STATIC_${library})
+    if(EARTHTOP_STATIC_${library})
+      list(APPEND archives ${EARTHTOP_STATIC_${library}})
+    endif()
+  endforeach()
+  # What comes after the group is only linked where it is still needed: the shared library of an archive is not.
+  target_link_libraries(${target} PRIVATE
+    -Wl,--start-group $<TARGET_FILE:earthtop::workbench> $<TARGET_FILE:earthtop::earthtop> ${archives}
+    -Wl,--end-group -Wl,--as-needed earthtop::workbench)
+  set_target_properties(${target} PROPERTIES EARTHTOP_ARCHIVES "${archives}")
+endfunction()
+
+# list_of_linked(TARGET NAME LIST HEADERS NAMES...) makes a target TARGET-list, which writes LIST, what of other libraries
 # TARGET is made of, as SPDX: libraries of headers alone, by their names in the table; archives; and what the finished file says that it
 # loads. A library that is missing in the table stops the build. With sanitizers, whose libraries are not there, no list is made.
 function(list_of_linked target name list)
-  cmake_parse_arguments(PARSE_ARGV 3 "" "" "" "HEADERS;STATIC")
+  cmake_parse_arguments(PARSE_ARGV 3 "" "" "" "HEADERS")
   if(EARTHTOP_SANITIZE)
     return()
+  endif()
+  get_target_property(archives ${target} EARTHTOP_ARCHIVES)
+  if(NOT archives)
+    set(archives "")
   endif()
   find_package(Git QUIET)
   set(directory ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
@@ -116,7 +142,7 @@ function(list_of_linked target name list)
   string(REGEX MATCH "[0-9.]+" version "${version}")
   add_custom_command(OUTPUT ${list}
     COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DVERSION=${version} -DCREATED=${created} -DLINKED=$<TARGET_FILE:${target}>
-            -DOBJDUMP=${CMAKE_OBJDUMP} "-DHEADERS=${_HEADERS}" "-DSTATIC=${_STATIC}" -DLIST=${list} -P ${directory}/spdx.cmake
+            -DOBJDUMP=${CMAKE_OBJDUMP} "-DHEADERS=${_HEADERS}" "-DSTATIC=${archives}" -DLIST=${list} -P ${directory}/spdx.cmake
     DEPENDS ${target} ${directory}/linked-libraries.cmake ${directory}/spdx.cmake
     COMMENT "What ${target} is linked with, as SPDX"
     VERBATIM)

@@ -22,8 +22,11 @@ add_custom_target(earthtop-pages ALL DEPENDS ${pages_dir}/written)
 
 set(EARTHTOP_ZSH_DIR ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING
     "Where zsh looks for completions; of Debian's packages: share/zsh/vendor-completions")
-list_of_linked(earthtop-tool earthtop ${PROJECT_BINARY_DIR}/earthtop.spdx.json
-               HEADERS Boost::headers CLI11::CLI11 Eigen3::Eigen nlohmann_json::nlohmann_json)
+set(headers Boost::headers CLI11::CLI11 Eigen3::Eigen nlohmann_json::nlohmann_json)
+if(EARTHTOP_FMT_COMPILES) # tools/earthtop/fmt_code.cpp
+  list(APPEND headers fmt::fmt)
+endif()
+list_of_linked(earthtop-tool earthtop ${PROJECT_BINARY_DIR}/earthtop.spdx.json HEADERS ${headers})
 if(TARGET earthtop-tool-list)
   install(FILES ${PROJECT_BINARY_DIR}/earthtop.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 endif()
