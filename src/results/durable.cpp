@@ -31,20 +31,9 @@ int write_all(int descriptor, std::string_view rest, const std::function<void()>
   return 0;
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int get() const { return descriptor_; }
-  int close() { return descriptor_ < 0 ? 0 : ::close(std::exchange(descriptor_, -1)); }
-
- private:
-  int descriptor_;
-};
-
 }  // namespace
+
+int Descriptor::close() { return descriptor_ < 0 ? 0 : ::close(std::exchange(descriptor_, -1)); }
 
 void fail_to_write(const fs::path& file, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
@@ -66,8 +55,8 @@ void sync_directory(const fs::path& directory) {
   wait_for_disk(descriptor.get(), directory);
 }
 
-void write_durably(const fs::path& file, const fs::path& place, const std::function<void(const Sink&)>& produce,
-                   const Watch& watch) {
+Descriptor begin_writing(const fs::path& file, const fs::path& place, const std::function<void(const Sink&)>& produce,
+                         const Watch& watch) {
   const auto stop_if_asked = [&] {
     if (watch.asks_to_stop()) throw Interrupted();
   };
@@ -77,8 +66,21 @@ void write_durably(const fs::path& file, const fs::path& place, const std::funct
     if (const int error = write_all(descriptor.get(), content, stop_if_asked); error != 0) fail_to_write(place, error);
   });
   stop_if_asked();
-  wait_for_disk(descriptor.get(), place);
-  if (descriptor.close() != 0) fail_to_write(place, errno);
+#ifdef SYNC_FILE_RANGE_WRITE
+  ::sync_file_range(descriptor.get(), 0, 0,
+                    SYNC_FILE_RANGE_WRITE);  // a hint: what fails here fails again when it is waited for
+#endif
+  return descriptor;
+}
+
+void finish_writing(Descriptor file, const fs::path& place) {
+  wait_for_disk(file.get(), place);
+  if (file.close() != 0) fail_to_write(place, errno);
+}
+
+void write_durably(const fs::path& file, const fs::path& place, const std::function<void(const Sink&)>& produce,
+                   const Watch& watch) {
+  finish_writing(begin_writing(file, place, produce, watch), place);
 }
 
 std::vector<fs::path> missing_directories(const fs::path& directory) {

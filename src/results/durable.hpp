@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "earthtop/watch.hpp"
@@ -28,9 +29,35 @@ void wait_for_disk(int descriptor, const std::filesystem::path& place);
 /// The same for the names in a directory. @throws WriteError
 void sync_directory(const std::filesystem::path& directory);
 
-/// Writes a new file and waits until the disk has it.
-/// @param file  must not be there yet   @param place  what errors call it
+/// An open file, or none.
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor = -1) : descriptor_(descriptor) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return descriptor_; }
+  /// @returns 0 if there was nothing to be closed, or nothing failed
+  int close();
+
+ private:
+  int descriptor_;
+};
+
+/// Writes a new file, and lets the disk begin to take it over: of several files, all are then waited for together.
+/// @param file  must not be there yet   @param place  what errors call it   @returns the open file, for `finish_writing`
 /// @throws WriteError; Interrupted if the watch asks to stop; all that `produce` throws
+Descriptor begin_writing(const std::filesystem::path& file, const std::filesystem::path& place,
+                         const std::function<void(const Sink&)>& produce, const Watch& watch = {});
+/// Waits until the disk has all of the file, and closes it. @param place  what errors call it   @throws WriteError
+void finish_writing(Descriptor file, const std::filesystem::path& place);
+
+/// Both of them for one file.
 void write_durably(const std::filesystem::path& file, const std::filesystem::path& place,
                    const std::function<void(const Sink&)>& produce, const Watch& watch = {});
 

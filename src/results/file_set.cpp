@@ -108,6 +108,9 @@ struct FileSet::File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
+  void finish() {
+    if (written.get() >= 0) finish_writing(std::move(written), place);
+  }
   void set_aside() {
     if (::rename(place.c_str(), last.c_str()) == 0)
       is_set_aside = true;
@@ -129,7 +132,8 @@ struct FileSet::File {
   std::string name;
   fs::path place, next, last;
   TemporaryName known{next.c_str()};
-  bool is_written = false;    // the new version is on disk as `next`
+  Descriptor written;         // the new version, till the disk has it
+  bool is_written = false;    // the new version is there as `next`
   bool is_in_place = false;   // the new version has been moved to `place`
   bool is_set_aside = false;  // the old version has been moved to `last`
 };
@@ -206,7 +210,7 @@ void FileSet::add(std::string_view name, const std::function<void(const Sink&)>&
   // If a file of this name exists, a killed run with the same process number left it.
   if (::unlink(file.next.c_str()) != 0 && errno != ENOENT) fail_to_write(file.place, errno);
   file.is_written = true;
-  write_durably(file.next, file.place, produce, watch_);
+  file.written = begin_writing(file.next, file.place, produce, watch_);
 }
 
 void FileSet::add(std::string_view name, std::string_view content) {
@@ -253,7 +257,10 @@ void FileSet::commit(std::span<const std::unique_ptr<FileSet>> sets) {
 }
 
 void FileSet::commit_as_one(std::span<FileSet* const> sets) {
-  for (const FileSet* set : sets) set->stop_if_asked();
+  for (const FileSet* set : sets) {
+    for (const auto& file : set->files_) file->finish();
+    set->stop_if_asked();
+  }
   const CommitMoment moment;
   try {
     for (FileSet* set : sets) set->replace(sets.size() > 1);

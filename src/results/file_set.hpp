@@ -57,7 +57,8 @@ class TemporaryNames {
 /// The next version of the files of a directory. The last of the names is the seal: where this file exists, the others are
 /// complete and belong to it.
 ///
-/// Every file is complete on disk under a temporary name (`.NAME.PID-N.tmp`) before anything is changed. Then the old seal is
+/// Every file is complete on disk under a temporary name (`.NAME.PID-N.tmp`) before anything is changed; all of them are waited for
+/// together. Then the old seal is
 /// taken away, the others are replaced, and the new seal is put in place, with the directory synced in between. After a
 /// failure everything is put back as it was. A crash during these few system calls leaves a directory without its seal, with
 /// the old and the new seal under temporary names; of a set of one file, either version is there at any time. Links are replaced, never followed. Temporary files that a killed run left
