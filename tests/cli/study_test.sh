@@ -133,7 +133,7 @@ sed 's/"points": 800/"points": 40000/' many.json >long.json
 holder=$!
 while [ ! -s held/study.sqlite.lock ]; do sleep 0.01; done
 expect 2 study long.json --out held
-while [ "$(cut -d' ' -f14 "/proc/$holder/stat")" -lt 60 ]; do sleep 0.01; done # hundredths of a second of the processor
+while [ "$(cut -d' ' -f14 "/proc/$holder/stat")" -lt 150 ]; do sleep 0.01; done # hundredths of a second of the processor
 on_stderr "in use by process $holder on .*, since "
 kill -TERM $holder
 wait $holder
