@@ -6,7 +6,7 @@
 
 Prints the processor time of `earthtop run --jobs 1` at each step, least of three, and marks a factor above 3 between neighbours with `<--`.
 --draw takes the first four alone and writes them to tools/bench/pictures/cost.svg; --only takes the ladders with this word in their names.
-Exit status: 0, or 1 where there is a factor above 3.
+Exit status: 0, or 1 where there is a factor above 3 in another ladder than those whose cliffs the manual of speed names.
 """
 
 import argparse
@@ -52,6 +52,7 @@ LADDERS = [
     ("duration, table", "s", "tippe-top", "/motion/duration_s", decades(0.1, 10), {}),
 ]
 CLIFF = 3
+NAMED = {"toy-top: spin, 60 s", "fast-gyro: Earth rate, an hour", "toy-top: inertia about axis 2, a minute"}
 UNNOTICED_S = 0.02  # a shorter run costs nobody anything
 
 
@@ -166,7 +167,7 @@ def main():
         (ROOT / "tools/bench/pictures/cost.svg").write_text(picture(drawn))
     if jumped:
         print("\na factor above 3 in: " + "; ".join(jumped))
-    return 1 if jumped else 0
+    return 1 if set(jumped) - NAMED else 0
 
 
 if __name__ == "__main__":
