@@ -157,13 +157,24 @@ TEST(Looks, AreTheMotionOfTheRows) {
     s.rotation_rate_rad_s = rotation_rate_rad_s;
     return s;
   };
+  const auto by_series = [](Scenario s, double duration_s) {
+    s.numerics.method = Method::taylor;
+    s.duration_s = duration_s;
+    return s;
+  };
+  // The drift of the last one goes round several times: a count of turns that is lost at a stop shows.
+  Scenario many_turns = by_series(shipped_scenario("toy-top"), 30);
+  many_turns.rotation_rate_rad_s = 1;
   for (const Scenario& scenario :
        {gyro(1047.2, 7.292115e-5, RatesRelativeTo::laboratory), gyro(1047.2, 1e-11, RatesRelativeTo::inertial),
-        gyro(-700, 7.292115e-5, RatesRelativeTo::inertial), gyro(400, -3e-4, RatesRelativeTo::laboratory)}) {
+        gyro(-700, 7.292115e-5, RatesRelativeTo::inertial), gyro(400, -3e-4, RatesRelativeTo::laboratory),
+        by_series(gyro(1047.2, 7.292115e-5, RatesRelativeTo::laboratory), 30),
+        by_series(shipped_scenario("asymmetric-top"), 10), many_turns}) {
     SCOPED_TRACE(::testing::Message() << scenario.rotation_rate_rad_s << " rad/s, spin " << scenario.release.spin_rad_s);
     DriftProblem<double> rows = Scene(scenario).problem<double>();
-    IntegrationOptions options;
-    options.method = scenario.numerics.method == Method::taylor ? Method::taylor : Method::long_horizon;
+    IntegrationOptions options =
+        scenario.numerics.method == Method::taylor ? Scene(scenario).choice().options : IntegrationOptions();
+    if (options.method != Method::taylor) options.method = Method::long_horizon;
     options.relative_tolerance = 1e-12;
     options.kick_steps = integrate_drift(rows, options).kick_steps;
     const double period_s = 2 * kHalfTurn * 4e-4 / (5e-4 * std::abs(scenario.release.spin_rad_s));
@@ -181,7 +192,8 @@ TEST(Looks, AreTheMotionOfTheRows) {
       looks.way = way, looks.are_looks = true;
       const auto aside = integrate_drift(rows, options), seen = integrate_drift(looks, options);
       ASSERT_EQ(seen.samples.size(), aside.samples.size());
-      EXPECT_LE(seen.counters.evaluations, aside.counters.evaluations);
+      EXPECT_LT(seen.counters.evaluations,
+                aside.counters.evaluations * (begin_s < 1 && options.method == Method::taylor ? 2 : 1));
       const double drift = aside.samples.back().measures.axis, rate = norm(aside.samples.back().state.w_LB_B);
       // Attitudes are held to the tolerance. A small drift is interpolated between rates at which it is some thousandths.
       const bool is_small = drift < 1e-6;
