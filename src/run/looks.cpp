@@ -27,11 +27,11 @@ std::vector<double> judgement_times(double duration_s, int looks) {
 /// Returns the number of windows of a long run: enough for twelve in each turn of the precession, or, where it turns too often for that, so
 /// many that successive windows see it at phases in the golden ratio, and any dozen of them all its phases.
 std::size_t windows_of(double turns, std::size_t most) {
-  constexpr std::size_t kFewest = 300;
-  constexpr double kATurn = 12, kGolden = std::numbers::phi - 1;
+  constexpr auto kFewest = static_cast<std::size_t>(kFewestWindows);
+  constexpr double kGolden = std::numbers::phi - 1;
   most = std::max(most, kFewest);
-  if (kATurn * turns <= static_cast<double>(most))
-    return std::max(kFewest, static_cast<std::size_t>(std::ceil(kATurn * turns)));
+  if (kWindowsATurn * turns <= static_cast<double>(most))
+    return std::max(kFewest, static_cast<std::size_t>(std::ceil(kWindowsATurn * turns)));
   std::size_t best = most;
   double nearest = 1;
   for (std::size_t windows = most - most / 4; windows <= most; ++windows) {

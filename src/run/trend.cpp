@@ -16,8 +16,6 @@ namespace earthtop {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
-constexpr double kAzimuths = 560;  // within a run, at least
-constexpr double kAzimuthsAPrecession = 7.3;
 constexpr double kMostAzimuths = 1e5;
 constexpr double kFewestAzimuths = 100;
 
@@ -49,9 +47,9 @@ bool rests_in_gimbal(const Scene& scene) {
 /// rounding, while that of the integration makes the rate worse the longer it lasts. So later turns count only where a sum of a few
 /// precessions and multiples of the nutation is slow.
 double window_that_suffices(const TrendFrequencies& frequencies, double duration) {
-  constexpr double kTurns = 400, kCycles = 10;
+  constexpr double kCycles = 10;
   constexpr int kSums = 4;
-  const double window = kTurns * kWholeTurn / std::abs(frequencies.precession_rad_s);
+  const double window = kTrendTurns * kWholeTurn / std::abs(frequencies.precession_rad_s);
   if (!frequencies.exact || !(window < duration)) return duration;
   for (int k = 1; k <= kSums; ++k) {
     const double turns = k * frequencies.precession_rad_s / frequencies.nutation_rad_s, slow = turns - std::round(turns);
@@ -81,7 +79,7 @@ double cycles_of_slowest_alias(double step, double window, const TrendFrequencie
 double step_between_looks(double duration, double least_count, const TrendFrequencies& frequencies) {
   constexpr double kFirst = 1.1, kNext = 0.98, kFast = 100;
   constexpr int kTried = 80;  // down to a fifth
-  double tried = kFirst * duration / std::clamp(least_count, kAzimuths, kMostAzimuths), best = tried, best_cycles = 0;
+  double tried = kFirst * duration / std::clamp(least_count, kFewestTrendLooks, kMostAzimuths), best = tried, best_cycles = 0;
   const double window = window_that_suffices(frequencies, duration);
   for (int i = 0; i < kTried && best_cycles < kFast; ++i, tried *= kNext)
     if (const double cycles = cycles_of_slowest_alias(tried, window, frequencies); cycles > best_cycles)
@@ -191,7 +189,7 @@ TrendPlan plan_trend(const Scene& scene) {
     constexpr int kSimple = 32;
     const double period = kWholeTurn / rates->nutation_rad_s;
     const double of_nutation = rates->parts > kSimple ? 0.5 * rates->parts * duration / period : 0;
-    const double least_count = std::max(turns * kAzimuthsAPrecession, of_nutation);
+    const double least_count = std::max(turns * kTrendLooksATurn, of_nutation);
     // Where these are too many, the rest of the run is not looked at.
     const double looked_at = least_count > kMostAzimuths ? window_that_suffices(*plan.frequencies, duration) : duration;
     plan.times_s =
@@ -200,7 +198,7 @@ TrendPlan plan_trend(const Scene& scene) {
   }
   constexpr double kAzimuthsATurn = 3.3;
   const double looks =
-      std::clamp(duration * scene.fastest_rate_rad_s() / kWholeTurn * kAzimuthsATurn, kAzimuths, kMostAzimuths);
+      std::clamp(duration * scene.fastest_rate_rad_s() / kWholeTurn * kAzimuthsATurn, kFewestTrendLooks, kMostAzimuths);
   plan.times_s = times_in_steps(duration, duration / std::ceil(looks));
   return plan;
 }

@@ -72,10 +72,10 @@ double seconds_looking_far(const Scene& scene, const IntegrationOptions& options
 
 /// Returns how many of a long run's looks between its rows take a step aside: one in each window for pictures, and those for the trend.
 double asides_in(const Scene& scene, const IntegrationOptions& options) {
-  constexpr double kATurn = 12, kFewest = 300, kMost = 1200;                     // windows
-  constexpr double kTrendATurn = 7.3, kFewestForTrend = 560, kTrendTurns = 400;  // looks for the trend
+  constexpr double kAWindow = 20;  // looks
   const double turns = long_horizon_drift_work(scene.problem<double>(), options, 0).precession_turns;
-  return std::clamp(kATurn * turns, kFewest, kMost) + std::max(kFewestForTrend, kTrendATurn * std::min(turns, kTrendTurns));
+  return std::clamp(kWindowsATurn * turns, kFewestWindows, kMostPictureLooks / kAWindow) +
+         std::max(kFewestTrendLooks, kTrendLooksATurn * std::min(turns, kTrendTurns));
 }
 
 }  // namespace

@@ -42,6 +42,11 @@ constexpr int judgement_looks(Method method) { return method == Method::long_hor
 
 /// The most times at which a run looks at its motion for pictures and largest values.
 inline constexpr int kMostPictureLooks = 24'000;
+/// Windows of these looks in a long run: so many in each turn of the precession, but no fewer than these.
+inline constexpr double kWindowsATurn = 12, kFewestWindows = 300;
+/// Looks at the azimuth for the trend of a symmetric top: so many in each turn of the precession, but no fewer than these; and the turns
+/// after which more tell nothing new.
+inline constexpr double kTrendLooksATurn = 7.3, kFewestTrendLooks = 560, kTrendTurns = 400;
 
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.
 PlatformDemand demand_of(const Scene& scene);

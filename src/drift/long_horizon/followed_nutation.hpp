@@ -67,17 +67,17 @@ class FollowedNutation {
     using Series = ReducedDriftSeries<T, Observer::laboratory>;
     static constexpr std::size_t kSize = Shape::kSize;
   };
-  static constexpr T kTolerance = 1e-14;
+  static constexpr T kTolerance = 1e-14;     // a hundredth of the least error of long_horizon, for an order or two more
   static constexpr int kMostSteps = 10'000;  // some ten are taken in a nutation
 
   /// The Earth's rate in the rotating motion's frame, divided by epsilon.
-  Vec3<T> Earth_rate(const Pair& p) const {
+  Vec3<T> earth_rate_scaled(const Pair& p) const {
     const Quaternion<T> e = Quaternion<T>{p.e_w, Vec3<T>(model_.epsilon * p.y)}.normalized();
     return transposed_times(rotation_matrix(p.ref_q_LF * e), model_.W_IL_L_scaled);
   }
   State state_of(const Pair& p) const {
     const Mat3<T> R = rotation_matrix(p.ref_q_LF);
-    const Vec3<T> W = Earth_rate(p);
+    const Vec3<T> W = earth_rate_scaled(p);
     const Complex<T> change = (T(1) / model_.epsilon) * (p.across + T(-1) * p.ref_across);
     State x;
     store_vector(Vec3<T>(R.col(2)), x, 0);
@@ -96,7 +96,7 @@ class FollowedNutation {
     p.ref_across = {u[0], u[1]};
     p.e_w = x[9];
     p.y = transposed_times(R, load_vector(x, 10));
-    const Vec3<T> W = Earth_rate(p);
+    const Vec3<T> W = earth_rate_scaled(p);
     p.across = {u[0] + model_.epsilon * (V[0] - W[0]), u[1] + model_.epsilon * (V[1] - W[1])};
     p.spin_excess = model_.epsilon * (system_.constants().k - W[2]);
     return p;
