@@ -147,9 +147,11 @@ def contents(folder):
 
 
 def steady(text):
-    """A text without what differs from run to run: times, and names of temporary directories."""
-    return "\n".join(re.sub(r"\d[\d.e+-]*", "#", line) if re.search(r"second|time|\bs\b|host", line) else line
-                     for line in text.splitlines())
+    """A text without what differs from run to run: times, the breaks of lines that depend on their lengths, and names of temporary
+    directories."""
+    text = re.sub(r"\d[\d.e+-]*\s+s\b", "# s", text)
+    lines = [re.sub(r"\d[\d.e+-]*", "#", line) if re.search(r"second|time|host", line) else line for line in text.splitlines()]
+    return " ".join(" ".join(lines).split())
 
 
 class Undisturbed:
