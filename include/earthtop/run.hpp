@@ -2,6 +2,7 @@
 /// Runs a scenario: computes both predictions, their difference (the drift) and a bound on its error.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -204,6 +205,8 @@ struct AccuracyReport {
   bool reached() const { return reached_rad <= asked_rad; }
 };
 
+class LaterRows;
+
 struct RunResult {
   // The special members are defined in one source file, to save compile time in the others.
   RunResult();
@@ -222,6 +225,8 @@ struct RunResult {
   /// For an interrupted run: whether the solution was complete, so that only later work was cut short.
   bool solution_is_whole = false;
   std::vector<DriftRow> rows;
+  /// Makes the rows of a long table, of which `rows` holds only every n-th and the last (run/each_row.hpp); null: `rows` holds all.
+  std::shared_ptr<const LaterRows> later_rows;
   std::vector<ExtendedDriftRow> extended_rows;  ///< the same rows in full precision; empty in double precision
   float128 extended_axis_max_rad = 0;           ///< the largest axis drift in full precision; 0 in double precision
   /// The motion at times of the run's own, which resolve the axes' fastest motion: pictures, maxima and sentences come from these, and so
@@ -267,6 +272,8 @@ struct RunOptions {
   /// Whether the motion between the rows is looked at. Without it the result has few looks, and its largest values, swings and computed
   /// theory are those of these looks: for callers that do not read them.
   bool between = true;
+  /// Whether the result of a run with a long table holds only a few of its rows, where `is_made_row_by_row` has it (run/each_row.hpp).
+  bool row_by_row = false;
 };
 
 /// Runs a scene, or the scene of a scenario. The result depends on the scene only; the watch is the only side effect.

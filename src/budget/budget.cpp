@@ -79,7 +79,7 @@ Responding responding(const Scene& scene, double time_s, const std::vector<Probl
   Responding by{std::nullopt, variations_seconds(scene, time_s, kTolerance, effects) +
                                   variations_seconds(scene, time_s, kTolerance, inputs.size() - effects)};
   const Scene in_double = drift_scene(scene);
-  const auto& problem = scene.problem<double>();
+  const auto& problem = scene.problem_without_rows<double>();
   if (!has_drift_differences(problem) || in_double.method_refusal(Method::taylor)) return by;
   DifferenceMethods methods;
   methods.alone.method = methods.driven.method = Method::taylor;
@@ -129,7 +129,7 @@ DriftSensitivity integrated_responses(const DriftProblem<double>& problem, const
 
 SizedUp size_up(const Scene& scene, const std::vector<Candidate>& candidates, const std::vector<ProblemDerivative>& inputs,
                 double time_s, const Responding& by, const Watch& watch) {
-  const auto& problem = scene.problem<double>();
+  const auto& problem = scene.problem_without_rows<double>();
   SizedUp up;
   up.effects.resize(candidates.size());
   double end = 0;
@@ -193,7 +193,7 @@ double drift_growth(const Scene& scene, double followed_s, double in_proportion,
   if (!(followed_s > 0) || !(followed_s < duration_s)) return 1;
   const Scene in_double = drift_scene(scene);
   if (!has_affordable_drift(in_double)) return in_proportion;
-  DriftProblem<double> problem = scene.problem<double>();
+  DriftProblem<double> problem = scene.problem_without_rows<double>();
   problem.times_s = {0, followed_s, duration_s};
   const DriftTrajectory<double> drift = integrate_drift(problem, in_double.choice().options, watch);
   if (drift.samples.size() < 3 || !(drift.samples[1].measures.axis > 0)) return in_proportion;
@@ -274,7 +274,7 @@ double budget_seconds(const Scene& scene) {
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
   require_sizes(scene.support());
-  const NaturalUnits& units = scene.problem<double>().units;
+  const NaturalUnits& units = scene.problem_without_rows<double>().units;
   const Preparation prepared(scene);
   const std::vector<Candidate>& candidates = prepared.candidates;
   Parts parts(watch, prepared.by.seconds + prepared.drift_seconds);

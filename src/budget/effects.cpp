@@ -50,7 +50,7 @@ Candidate coriolis(const Scene& scene) {
   c.reason = scene.scenario().effects.coriolis ? "an effect of the Earth's rotation: on unless switched off" : "switched off";
   c.input.coriolis = 1;
   c.torque = [scene](const FollowedStep& s) {
-    const Model<double>& m = scene.problem<double>().model;
+    const Model<double>& m = scene.problem_without_rows<double>().model;
     return coriolis_size(s, m.W_IL_L, m.S_BP_B);
   };
   return c;
@@ -63,7 +63,7 @@ Candidate centrifugal(const Scene& scene) {
                  : "switched off";
   c.input.centrifugal = 1;
   c.torque = [scene](const FollowedStep& s) {
-    const Model<double>& m = scene.problem<double>().model;
+    const Model<double>& m = scene.problem_without_rows<double>().model;
     return size_of_product(centrifugal_torque(seen_from(s, m.W_IL_L), m.S_BP_B),
                            norm(m.W_IL_L) * norm(m.W_IL_L) * m.S_BP_B.norm());
   };
@@ -83,7 +83,7 @@ Candidate release_matching(const Scene&) {
 /// Returns the candidate for a change of the Earth's rate vector. @param share_L  the change over the Earth's rate (1)
 Candidate earth_rate_change(const Vec3<double>& share_L, const Scene& scene) {
   Candidate c;
-  const Model<double>& m = scene.problem<double>().model;
+  const Model<double>& m = scene.problem_without_rows<double>().model;
   const double rate_scaled = norm(m.W_IL_L_scaled), size = norm(share_L);
   const Vec3<double> direction = size > 0 ? Vec3<double>(share_L / size) : Vec3<double>(Vec3<double>::UnitZ());
   c.size = size;
@@ -149,14 +149,14 @@ Candidate torque_in_both(const AppliedTorques<double>& applied, double strength,
   for_each_member(divide, unit);
   c.input.applied = unit;
   c.torque = [scene, unit](const FollowedStep& s) {
-    Model<double> alone = scene.problem<double>().model;
+    Model<double> alone = scene.problem_without_rows<double>().model;
     alone.applied = unit;
     return norm(applied_torque_B(alone, s.t, s.q_LB, s.w_LB_B, true));
   };
   return c;
 }
 
-double largest_moment(const Scene& scene) { return scene.problem<double>().model.I_BP_B.diagonal().maxCoeff(); }
+double largest_moment(const Scene& scene) { return scene.problem_without_rows<double>().model.I_BP_B.diagonal().maxCoeff(); }
 
 Candidate gravity_gradient(const Scene& scene) {
   AppliedTorquesSpec spec;
@@ -183,12 +183,12 @@ Candidate tide(const Scene& scene) {
   constexpr double kLongest_s = 86400;  // one day is enough to see the size of the tide
   TideSeries<double> series;
   if (modelled)
-    series = scene.problem<double>().model.tide;
+    series = scene.problem_without_rows<double>().model.tide;
   else
     series = TideSeries<double>::of_bodies(scene.site(), start_of(scene), std::min(scene.scenario().duration_s, kLongest_s))
                  .scaled(scene.units().time_exponent);
   c.input.tide = series;
-  const Vec3<double> moment_B = scene.problem<double>().model.mass_moment_B;
+  const Vec3<double> moment_B = scene.problem_without_rows<double>().model.mass_moment_B;
   c.torque = [moment_B, tide = c.input.tide](const FollowedStep& s) {
     return norm(field_torque(moment_B, seen_from(s, tide.acceleration_L(s.t))));
   };
@@ -201,7 +201,7 @@ using FrictionCoefficient = double AppliedTorques<double>::*;
 /// @tparam coefficients  those of this kind
 template <FrictionCoefficient... coefficients>
 std::optional<Candidate> friction(const Scene& scene) {
-  const DriftProblem<double>& problem = scene.problem<double>();
+  const DriftProblem<double>& problem = scene.problem_without_rows<double>();
   const double rate = std::max(norm(problem.natural_release().w_XB_B), 1e-3);
   AppliedTorques<double> alone;
   ((alone.*coefficients = problem.model.applied.*coefficients), ...);

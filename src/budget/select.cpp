@@ -25,7 +25,7 @@ constexpr double kShare = 0.2;  // largest share of the requested accuracy that 
 /// Returns the share of the duration that has to be followed; empty if the motion is too long to follow.
 std::optional<double> followed_share(const Scene& scene) {
   const double phase = std::max(scene.fastest_rate_rad_s() * scene.scenario().duration_s, scene.pace_by_rule().damping);
-  const bool regular = is_regular(scene.problem<double>());
+  const bool regular = is_regular(scene.problem_without_rows<double>());
   if (!regular && phase > kLongestPhase) return std::nullopt;
   return regular ? std::min(1.0, kRegularPhase / phase) : 1;
 }
@@ -39,8 +39,9 @@ std::vector<double> changes_of(const Scene& scene, const std::vector<Candidate>&
   std::vector<ProblemDerivative> inputs;
   inputs.reserve(candidates.size());
   for (const Candidate& candidate : candidates) inputs.push_back(candidate.input);
-  const DriftSensitivity drift = drift_sensitivity(scene.problem<double>(), inputs, share * scene.scenario().duration_s,
-                                                   kChoiceTolerance, watch, SensitivitySought::responses);
+  const DriftSensitivity drift =
+      drift_sensitivity(scene.problem_without_rows<double>(), inputs, share * scene.scenario().duration_s, kChoiceTolerance,
+                        watch, SensitivitySought::responses);
   if (drift.status != RunStatus::completed) return changes;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const double later = candidates[i].in_difference ? 1 / share : 1 / (share * share);

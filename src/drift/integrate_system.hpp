@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <type_traits>
+#include <utility>
 
 #include "drift/motion_way.hpp"
 #include "drift/release_rates.hpp"
@@ -40,11 +41,26 @@ bool leaves_stops(const DriftProblem<T>& problem, const IntegrationOptions& opti
   return problem.way && options.method == Method::taylor && problem.model.applied.coulomb == T(0);
 }
 
+/// A system that remembers what it has followed, and not only the states.
+template <class System>
+concept Remembers = requires(System& system) {
+  system.go_on_from(system.followed());
+};
+struct NoMemory {};
+template <class System>
+auto memory_of(const System& system) {
+  if constexpr (Remembers<System>)
+    return system.followed();
+  else
+    return NoMemory{};
+}
+
 /// The stops of an integration by steps, by their times in natural units.
 template <class System>
 struct SteppedStops {
   struct Stop {
     typename System::State x;
+    decltype(memory_of(std::declval<const System&>())) memory;
     StepWatcherTurns<double> turns;
   };
   std::map<double, Stop> at;
@@ -60,7 +76,7 @@ void integrate_by_stops(const std::vector<double>& times, System& system, typena
   const double apart = problem.way->duration_from(times.back()) / kMostStops;
   const auto after = [&](double t) { return stops.upper_bound(t); };
   const auto begins_anew = [&](double before, double t) {
-    return problem.are_looks && after(t) != stops.begin() && std::prev(after(t))->first > before;
+    return problem.are_looks && after(t) != stops.begin() && std::prev(after(t))->first >= before + apart;
   };
   double left_at = 0;
   std::vector<double> stretch;
@@ -69,7 +85,7 @@ void integrate_by_stops(const std::vector<double>& times, System& system, typena
     if (row > 0) {
       const auto& [t, stop] = *std::prev(after(times[row]));
       x = stop.x;
-      system.follow(x);
+      if constexpr (Remembers<System>) system.go_on_from(stop.memory);
       watcher.go_on_from(stop.turns);
       stretch.push_back(t);
     }
@@ -82,7 +98,7 @@ void integrate_by_stops(const std::vector<double>& times, System& system, typena
       trajectory.samples.push_back(watcher.sample(state, t, t_s));
       if (t == 0) set_release_rates(problem, trajectory.samples.front().state);
       if (t - left_at < apart || !(problem.are_looks || std::ranges::binary_search(problem.way->leave_at_s, t_s))) return;
-      stops.try_emplace(t, typename SteppedStops<System>::Stop{state, watcher.turns()});
+      stops.try_emplace(t, typename SteppedStops<System>::Stop{state, memory_of(system), watcher.turns()});
       left_at = t;
     };
     Driver<double, System, StepWatcher<double, System>, decltype(on_row)> driver(system, drive, watcher, on_row);

@@ -21,23 +21,26 @@ inline void append_number(std::string& line, double value) {
   line.append(digits, end);
 }
 
-/// Writes header and rows to the sink in pieces of whole lines, because two million rows at once would take a gigabyte.
-/// @param append_row  is called with a text and the number of a row, and appends the row's line to the text
-/// @param watch  gets the progress
-template <class AppendRow>
-void write_csv(std::string header, std::size_t rows, AppendRow append_row, const std::function<void(std::string_view)>& sink,
-               const Watch& watch) {
-  constexpr std::size_t kPiece = std::size_t{1} << 18;
-  std::string text = std::move(header);
-  for (std::size_t i = 0; i < rows; ++i) {
-    append_row(text, i);
-    if (text.size() < kPiece) continue;
-    watch.reach(static_cast<double>(i) / static_cast<double>(rows));
-    sink(text);
-    text.clear();
+/// Hands header and rows to a sink in pieces of whole lines, because two million rows at once would take a gigabyte.
+class CsvPieces {
+ public:
+  CsvPieces(std::string header, const std::function<void(std::string_view)>& sink) : sink_(sink), text_(std::move(header)) {}
+  /// Appends the line of a row. @param append  is called with the text, to which it appends the line
+  template <class Append>
+  void add(Append append) {
+    constexpr std::size_t kPiece = std::size_t{1} << 18;
+    append(text_);
+    if (text_.size() >= kPiece) flush();
   }
-  sink(text);
-}
+  void flush() {
+    sink_(text_);
+    text_.clear();
+  }
+
+ private:
+  const std::function<void(std::string_view)>& sink_;
+  std::string text_;
+};
 
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch = {});
 void write_torques_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch = {});

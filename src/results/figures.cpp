@@ -12,6 +12,7 @@
 #include "earthtop/results/headline.hpp"
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/run/each_row.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "results/contact_members.hpp"
 #include "results/member_entries.hpp"
@@ -30,15 +31,6 @@ namespace {
 std::optional<double> mean_precession_rate_change(const SecularDrift& trend) {
   if (!trend.azimuth_rate_rad_s) return std::nullopt;
   return 0.0 - *trend.azimuth_rate_rad_s;
-}
-
-/// The mean of all rows' axes, about which a precessing or nutating axis moves.
-std::array<double, 3> mean(R r, std::array<double, 3> DriftRow::*axis) {
-  std::array<double, 3> mean{};
-  const auto count = static_cast<double>(r.rows.size());
-  for (const DriftRow& row : r.rows)
-    for (std::size_t i = 0; i < 3; ++i) mean[i] += (row.*axis)[i] / count;
-  return mean;
 }
 
 const DoubtType& doubt(R r, I interval) { return type_of(r.verdict.intervals[interval].why); }
@@ -92,7 +84,7 @@ constexpr auto kFirstMembers = [] {
       object("outcome"),
       compared("outcome.status", outcome, any, kAtEnd, [](R r) { return to_string(r.status); }),
       compared("outcome.reached_s", input, span, kAtEnd, [](R r) { return r.reached_s; }),
-      told("outcome.rows", kFromRows, kRowCount, [](R r) { return r.rows.size(); }),
+      told("outcome.rows", kFromRows, kRowCount, [](R r) { return row_count(r); }),
       object("matching_rule"),
       told("matching_rule.rates_relative_to", kAtEnd, kOfScenario,
            [](R r) { return to_word(r.scene.scenario().release.rates_relative_to); }),
@@ -207,10 +199,9 @@ constexpr auto kDriftMembers = [] {
                                     "motion.reference_axis_final_L", attitude, end, kAtEnd,
                                     [](R r) { return r.rows.back().ref_axis_L; }, vector)),
       compared(
-          "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::axis_L); }, vector),
+          "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).axis_L; }, vector),
       compared(
-          "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return mean(r, &DriftRow::ref_axis_L); },
-          vector),
+          "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).ref_axis_L; }, vector),
       of_rows(object("growth_of_disturbances")),
       compared("growth_of_disturbances.lyapunov_exponent_1_s", time, span, kAtEnd,
                [](R r) { return r.verdict.lyapunov_exponent_1_s; }),

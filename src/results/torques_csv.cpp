@@ -45,7 +45,12 @@ void write_torques_csv(const RunResult& result, const std::function<void(std::st
       }
     text += '\n';
   };
-  write_csv(header_of(torques), rows, append_row, sink, watch);
+  CsvPieces csv(header_of(torques), sink);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row % 1024 == 0) watch.reach(static_cast<double>(row) / static_cast<double>(rows));
+    csv.add([&](std::string& text) { append_row(text, row); });
+  }
+  csv.flush();
 }
 
 std::string torques_csv(const RunResult& result) {

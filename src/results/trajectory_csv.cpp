@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "earthtop/results/results.hpp"
+#include "earthtop/run/each_row.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "results/columns.hpp"
 #include "results/csv.hpp"
@@ -91,13 +92,16 @@ void append_row(std::string& text, const ExtendedDriftRow& row, Precision precis
 }  // namespace
 
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
-  const auto append = [&](std::string& text, std::size_t i) {
-    if (result.extended_rows.empty())
-      append_row(text, result.rows[i]);
-    else
-      append_row(text, result.extended_rows[i], result.scene.scenario().precision);
-  };
-  write_csv(header(has_contact(result)), result.rows.size(), append, sink, watch);
+  CsvPieces csv(header(has_contact(result)), sink);
+  if (result.extended_rows.empty())
+    each_row(
+        result, [&](const DriftRow& row) { csv.add([&](std::string& text) { append_row(text, row); }); }, watch);
+  const std::vector<ExtendedDriftRow>& extended = result.extended_rows;
+  for (std::size_t i = 0; i < extended.size(); ++i) {
+    if (i % 1024 == 0) watch.reach(static_cast<double>(i) / static_cast<double>(extended.size()));
+    csv.add([&](std::string& text) { append_row(text, extended[i], result.scene.scenario().precision); });
+  }
+  csv.flush();
 }
 
 std::string trajectory_csv(const RunResult& result) {

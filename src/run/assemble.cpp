@@ -13,6 +13,7 @@
 #include "run/assessment.hpp"
 #include "run/drift_bound.hpp"
 #include "run/event_bounds.hpp"
+#include "run/later_rows.hpp"
 #include "run/look_between.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
@@ -150,6 +151,7 @@ class Assembly {
       if (stops()) return stopped(scene_, made_, options_.partial);
     }
     add_notes();
+    keep_for_later_rows();
     return std::move(result_);
   }
 
@@ -159,15 +161,17 @@ class Assembly {
   /// Makes the rows, and the bounds from the distance of the two integrations.
   void compare() {
     between_ = take_between(made_);
-    DriftBound<T> bound(kSafety, round_off_of(scene_.problem<T>()));
+    DriftBound<T> bound(kSafety, round_off_of(scene_.problem_without_rows<T>()));
     const std::size_t count = std::min(made_.first.samples.size(), made_.second.samples.size());
     const std::size_t steps = is_exact(made_.options.method) ? 0 : static_cast<std::size_t>(made_.first.counters.accepted);
     std::size_t compared = 0;
     T farthest = T(0);  // squared tangent of half the largest distance of two attitudes so far
     double turned = 0;
+    std::size_t ahead = 0;
     for (std::size_t i = 0; i < count && !stops(); ++i) {
       if (i % 64 == 0) rows_.reach(static_cast<double>(i) / static_cast<double>(count));
-      for (const std::size_t ahead = compared_ahead(made_.looks, i, count); compared < ahead; ++compared) {
+      if (i == 0 || made_.looks.serves(i, LookFor::judgement)) ahead = compared_ahead(made_.looks, i, count);
+      for (; compared < ahead; ++compared) {
         const DriftSample<T>& sample = made_.first.samples[compared];
         const DriftSample<T>& second = made_.second.samples[compared];
         bound.include(sample.measures, second.measures, sample.state.epsilon);
@@ -249,6 +253,13 @@ class Assembly {
     if (const auto note = note_on_air(result_)) result_.notes.push_back(*note);
     if (const std::string why = why_limited(result_); !why.empty()) result_.notes.push_back(why);
     if (!scenario_.effects.all_on()) result_.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
+  }
+
+  void keep_for_later_rows() {
+    if (!made_.all_rows || judged_.empty()) return;
+    for (DriftRow& row : result_.rows) take_bounds(judged_, row);
+    result_.later_rows = std::make_shared<const LaterRows>(scene_, *made_.all_rows, made_.options, made_.memory(),
+                                                           std::move(judged_), options_.jobs > 1);
   }
 
   const Scene& scene_;

@@ -20,6 +20,8 @@ struct TwoIntegrations {
   Looks looks;  ///< of the first integration; the second has those for rows and judgement
   std::shared_ptr<MotionWay> way = LookMemory::new_way();  ///< what the first integration and looks leave for later looks
 
+  std::optional<OutputTimes> all_rows;  ///< where the scene of the integrations has only a few of the run's rows
+
   LookMemory memory() const { return {first.kick_steps, way}; }
 };
 

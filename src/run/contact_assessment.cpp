@@ -58,7 +58,7 @@ class MotionOnTable {
 template <class T>
 std::vector<InvariantReport> assess_contact_invariants(const Scene& scene, const std::vector<DriftSample<T>>& samples,
                                                        std::size_t rows, const Watch& watch) {
-  const DriftProblem<T>& problem = scene.problem<T>();
+  const DriftProblem<T>& problem = scene.problem_without_rows<T>();
   const TableConditions table = conditions(scene, is_symmetric(problem.table->contact));
   const MotionOnTable<T> rotating(problem, true), reference(problem, false);
   std::vector<InvariantReport> reports;
@@ -80,7 +80,7 @@ template <class T>
 std::array<ContactBalances, 2> assess_contact_balances(const Scene& scene, const std::vector<DriftSample<T>>& samples,
                                                        std::size_t rows) {
   std::array<ContactBalances, 2> balances;
-  const DriftProblem<T>& problem = scene.problem<T>();
+  const DriftProblem<T>& problem = scene.problem_without_rows<T>();
   const EffectsSpec& effects = scene.scenario().effects;
   // The tide is uniform and exerts no torque about the centre of mass.
   const bool jellett_holds = effects.all_on() && !effects.applied.gravity_gradient;
@@ -118,7 +118,7 @@ std::optional<LedgerReport> assess_contact_ledger(const Scene& scene, const std:
                                                   std::size_t rows, const Watch& watch) {
   const std::optional<LedgerObserver>& observer = scene.scenario().ledger;
   if (!observer) return std::nullopt;
-  const DriftProblem<T>& problem = scene.problem<T>();
+  const DriftProblem<T>& problem = scene.problem_without_rows<T>();
   const NaturalUnits& units = problem.units;
   const int newtons = units.mass_exponent - 2 * units.time_exponent;  // lengths are metres in both units
   std::vector<LedgerRow<T>> ledger;

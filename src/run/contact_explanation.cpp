@@ -117,7 +117,7 @@ double tip_drift_m(const DriftSample<double>& sample) {
 
 ContactExplanation explain_contact(const Scene& scene, const Watch& watch) {
   const Scene looked_at = as_looked_at(scene);
-  DriftProblem<double> problem = looked_at.problem<double>();
+  DriftProblem<double> problem = looked_at.problem_without_rows<double>();
   const Contact<double>& contact = problem.table->contact;
   IntegrationOptions options = looked_at.choice().options;
   options.relative_tolerance = std::max(options.relative_tolerance, kTolerance);

@@ -62,7 +62,7 @@ std::vector<PredictionChange> prediction_changes(const DriftProblem<double>& pro
 }
 
 void assess_prediction_changes(RunResult& result, const Watch& watch) {
-  const DriftProblem<double>& problem = result.modelled.problem<double>();
+  const DriftProblem<double>& problem = result.modelled.problem_without_rows<double>();
   ContactReport& report = *result.contact;
   double before_s = HUGE_VAL;
   for (const ContactEvent& event : report.events)

@@ -96,7 +96,7 @@ class Differences {
 
   /// The drift of a scene at the time sought. @returns nothing, and says why, where it does not get there
   std::optional<Quantities> drift_of(const Scene& scene, const Watch& watch) {
-    DriftProblem<double> problem = scene.problem<double>();
+    DriftProblem<double> problem = scene.problem_without_rows<double>();
     problem.times_s = {0, time_s_};
     const DriftTrajectory<double> drift = integrate_drift(problem, options_, watch);
     if (drift.status != RunStatus::completed || drift.samples.size() < 2) {

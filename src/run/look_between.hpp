@@ -32,7 +32,7 @@ void keep(LookFor purpose, LookFor other, Looks& looks, std::vector<DriftSample<
 template <class T>
 std::optional<ContactRows<T>> contact_rows(const Scene& scene, const std::vector<ContactEvent>& events) {
   if (!scene.support().has_contact) return std::nullopt;
-  return std::optional<ContactRows<T>>(std::in_place, scene.problem<T>(), events);
+  return std::optional<ContactRows<T>>(std::in_place, scene.problem_without_rows<T>(), events);
 }
 
 /// Takes the looks for trend and pictures out of the first integration, whose other samples have partners in the second one.
@@ -83,11 +83,7 @@ std::vector<AzimuthSample> look_between(const Scene& scene, const TwoIntegration
   keep(LookFor::picture, LookFor::picture, looks, between);
   result.looks = rows_of(scene, made.first.contact_events, between);
   result.looks_a_window = made.plan.picture.looks_a_window;
-  for (DriftRow& look : result.looks) {
-    const JudgedLook& bounds = judged_at(judged, look.t_s);
-    look.drift_axis_bound_rad = bounds.axis_bound_rad, look.drift_attitude_bound_rad = bounds.attitude_bound_rad;
-    if (look.contact) look.contact->drift_tip_bound_m = bounds.tip_bound_m;
-  }
+  for (DriftRow& look : result.looks) take_bounds(judged, look);
   return azimuths;
 }
 
@@ -105,7 +101,7 @@ LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const W
                    look_again(scene, std::move(times_s), made.options, made.memory(), next()).samples);
   };
   const auto exact = [&scene, &made, next](std::vector<double> times_s) {
-    DriftProblem<T> problem = scene.problem<T>();
+    DriftProblem<T> problem = scene.problem_without_rows<T>();
     problem.threshold_rad.reset();
     problem.times_s = std::move(times_s);
     problem.times_s.insert(problem.times_s.begin(), 0);

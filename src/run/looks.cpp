@@ -127,6 +127,12 @@ const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s) {
   return look == judged.end() ? judged.back() : *look;
 }
 
+void take_bounds(std::span<const JudgedLook> judged, DriftRow& row) {
+  const JudgedLook& bounds = judged_at(judged, row.t_s);
+  row.drift_axis_bound_rad = bounds.axis_bound_rad, row.drift_attitude_bound_rad = bounds.attitude_bound_rad;
+  if (row.contact) row.contact->drift_tip_bound_m = bounds.tip_bound_m;
+}
+
 bool looks_between_rows(const IntegrationOptions& first, Precision precision) {
   const bool is_dense = row_of(first.method).cost.evaluations_a_row == 1 || is_exact(first.method);
   return is_dense && precision == Precision::bits53;
@@ -136,7 +142,7 @@ std::shared_ptr<MotionWay> LookMemory::new_way() { return std::make_shared<Motio
 
 DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times_s, const IntegrationOptions& first,
                                    const LookMemory& memory, const Watch& watch) {
-  DriftProblem<double> problem = scene.problem<double>();
+  DriftProblem<double> problem = scene.problem_without_rows<double>();
   problem.times_s = std::move(times_s);
   problem.threshold_rad.reset();
   problem.way = memory.way, problem.are_looks = true;

@@ -56,6 +56,8 @@ struct JudgedLook {
 };
 /// The bounds at a time: those of the first look for judgement that is not earlier, since bounds only grow.
 const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s);
+/// Gives a row the bounds at its time.
+void take_bounds(std::span<const JudgedLook> judged, DriftRow& row);
 
 LookPlan plan_looks(const Scene& scene, const IntegrationOptions& first);
 

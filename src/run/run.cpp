@@ -14,6 +14,7 @@
 #include "earthtop/arithmetic.hpp"
 #include "earthtop/error.hpp"
 #include "run/assemble.hpp"
+#include "run/later_rows.hpp"
 #include "run/verdict.hpp"
 #include "scene/second_integration.hpp"
 
@@ -81,23 +82,28 @@ class SecondBeside {
   std::future<Made> made_;
 };
 
+/// @param whole  the scene with all its rows
 template <class T>
-RunResult run_in(const Scene& scene, const RunOptions& run_options) {
+RunResult run_in(const Scene& whole, const RunOptions& run_options) {
+  const bool later = run_options.row_by_row && run_options.between && is_made_row_by_row(whole);
+  const Scene scene = later ? with_few_rows(whole) : whole;
   const Precision precision = scene.scenario().precision;
 
   TwoIntegrations<T> made;
-  made.options = within_estimate(scene, scene.choice().options);
+  if (later) made.all_rows.emplace(whole.scenario().duration_s, whole.scenario().output_step_s);
+  made.options = within_estimate(scene, whole.choice().options);
   made.other_options = second_options(scene, made.options);
   const Watch& watch = run_options.watch;
   RunSeconds seconds = watch.has_progress() ? scene.estimate().seconds : RunSeconds();
-  DriftProblem<T> problem = scene.problem<T>();
+  DriftProblem<T> problem = scene.problem_without_rows<T>();
+  problem.times_s = output_times(scene.scenario().duration_s, scene.scenario().output_step_s);
   plan_first(scene, run_options.between, made, problem);
   SecondBeside<T> beside(scene, problem, made.looks, made.options, within_estimate(scene, made.other_options), run_options);
   if (beside.runs()) seconds.bound = std::max(0.0, seconds.bound - seconds.solution);
   Parts parts(watch, seconds.all());
 
   made.first = integrate_timed(problem, made.options, precision, parts.next(seconds.solution, "solution"), made.solution);
-  made.solution.reason = scene.choice().reason;
+  made.solution.reason = whole.choice().reason;
   const Watch bound = parts.next(seconds.bound, "error bound");
   // Where an event has ended the first integration, the second goes on until it finds the event as well.
   const bool ended = std::ranges::any_of(made.first.contact_events, [](const ContactEvent& e) { return ends_run(e.kind); });

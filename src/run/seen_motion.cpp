@@ -13,7 +13,7 @@ namespace {
 /// The steps that a run finds at its rows: to search for them at all looks would take far longer.
 std::optional<KickSteps> kick_steps_of(const Scene& scene, const IntegrationOptions& options, const Watch& watch) {
   if (options.method != Method::long_horizon) return std::nullopt;
-  DriftProblem<double> problem = scene.problem<double>();
+  DriftProblem<double> problem = scene.problem_without_rows<double>();
   problem.threshold_rad.reset();
   return integrate_drift(problem, options, watch.with_progress(nullptr)).kick_steps;
 }

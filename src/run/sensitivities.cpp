@@ -26,7 +26,7 @@ constexpr double kDerivativeRounding = 1e-12;
 RunStatus by_variations(const Scene& scene, const Watch& watch, SensitivityReport& report) {
   const InputDerivatives inputs = input_derivatives(scene);
   const auto integrated = [&](double tolerance, const Watch& part) {
-    return drift_sensitivity(scene.problem<double>(), inputs.by_scaled_input, report.at_s, tolerance, part);
+    return drift_sensitivity(scene.problem_without_rows<double>(), inputs.by_scaled_input, report.at_s, tolerance, part);
   };
   const DriftSensitivity drift = integrated(kSensitivityTolerance, watch.part(0, 0.64));
   DriftSensitivity coarse;

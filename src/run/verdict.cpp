@@ -16,6 +16,7 @@
 #include "earthtop/vectors.hpp"
 #include "run/drift_bound.hpp"
 #include "run/largest.hpp"
+#include "run/later_rows.hpp"
 #include "run/support_reports.hpp"
 
 namespace earthtop {
@@ -230,7 +231,7 @@ void conclude(const RunResult& result, VerdictReport& report) {
 }
 
 VerdictReport judged_growth(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
-  const DriftProblem<double>& problem = result.modelled.problem<double>();
+  const DriftProblem<double>& problem = result.modelled.problem_without_rows<double>();
   GrowthFound found = reports_of(result.modelled).growth(problem, result, log_of_lost_rounding(result), watch);
   if (found.settled) return *std::move(found.settled);
   VerdictReport report;
@@ -299,7 +300,10 @@ void mark_rows(RunResult& result) {
 
 bool has_drift(const RunResult& result) { return result.rows.size() > 1; }
 
-bool is_all_reliable(const RunResult& result) { return std::ranges::all_of(result.rows, &DriftRow::drift_reliable); }
+bool is_all_reliable(const RunResult& result) {
+  if (result.later_rows) return result.later_rows->are_all_trusted(result);
+  return std::ranges::all_of(result.rows, &DriftRow::drift_reliable);
+}
 
 const DriftRow* last_reliable_row(const RunResult& result) {
   const auto row = std::find_if(result.rows.rbegin(), result.rows.rend(), [](const DriftRow& r) { return r.drift_reliable; });

@@ -58,7 +58,9 @@ bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
 IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options, double looks) {
   // Between the parts of a kick that is spread over the nutation, the closed form is set up in double.
   constexpr double kSecondsALook = 1e-6, kAveraging = 1.4e-6, kFollowing = 2e-6;  // AMD EPYC, 26 November 2026
-  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, looks);
+  const double but_the_last = scene.rows() - 1;
+  const LongHorizonDriftWork expected =
+      long_horizon_drift_work(scene.problem_without_rows<double>(), options, but_the_last + looks);
   const double each = expected.averages ? kAveraging : kFollowing;
   return {expected.work, each * expected.work.evaluations + kSecondsALook * expected.looks};
 }
@@ -73,7 +75,7 @@ double seconds_looking_far(const Scene& scene, const IntegrationOptions& options
 /// Returns how many of a long run's looks between its rows take a step aside: one in each window for pictures, and those for the trend.
 double asides_in(const Scene& scene, const IntegrationOptions& options) {
   constexpr double kAWindow = 20;  // looks
-  const double turns = long_horizon_drift_work(scene.problem<double>(), options, 0).precession_turns;
+  const double turns = long_horizon_drift_work(scene.problem_without_rows<double>(), options, 0).precession_turns;
   return std::clamp(kWindowsATurn * turns, kFewestWindows, kMostPictureLooks / kAWindow) +
          std::max(kFewestTrendLooks, kTrendLooksATurn * std::min(turns, kTrendTurns));
 }

@@ -48,7 +48,7 @@ bool has_long_horizon(const Scene& given) {
   const Scene scene = usual.output_step_s == given.scenario().output_step_s ? given : resolve(usual);
   IntegrationOptions options = scene.scenario().numerics;
   options.method = Method::long_horizon;
-  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem<double>(), options, 0);
+  const LongHorizonDriftWork expected = long_horizon_drift_work(scene.problem_without_rows<double>(), options, kRows - 1);
   return expected.error_rad <= kOfDrift * expected.drift_rad &&
          kGain * (seconds_with(scene, options) + seconds_looking(scene, options)) < seconds_with(scene, with_taylor(scene));
 }

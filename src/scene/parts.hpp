@@ -24,6 +24,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units = {});
 extern template Model<double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<long double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float128> model_of(const Scene&, const NaturalUnits&);
+/// Its times are only the release and the end.
 template <class T>
 DriftProblem<T> problem_of(const Scene& scene);
 extern template DriftProblem<double> problem_of(const Scene&);

@@ -63,7 +63,7 @@ DriftProblem<T> problem_of(const Scene& scene) {
   problem.model = model_of<T>(scene, problem.units);
   problem.fastest_rate = problem.units.rate_from_rad_s(T(scene.fastest_rate_rad_s()));
   if (scenario.numerics.stops_beyond_estimate) problem.pace = is_too_short_to_look(scene) ? scene.pace_by_rule() : scene.pace();
-  problem.times_s = output_times(scenario.duration_s, scenario.output_step_s);
+  problem.times_s = {0, scenario.duration_s};
   problem.threshold_rad = scenario.threshold_rad;
   laws_in<T>(scene).complete(scene, problem);
   return problem;

@@ -36,7 +36,7 @@ RowSeconds seconds_a_row(Precision precision) {
 }  // namespace
 
 Work PivotLaws::growth_work(const Scene& scene) const {
-  MotionProblem<double> problem = scene.problem<double>();
+  MotionProblem<double> problem = scene.problem_without_rows<double>();
   const auto tolerance = growth_tolerance(problem, scene.scenario().duration_s);
   if (!tolerance) return {};
   problem.pace = scene.pace();

@@ -21,7 +21,7 @@ struct InPrecision {
   Once<Release<T>> release;
   Once<Model<T>> model;
   Once<TableProblem<T>> table;
-  Once<DriftProblem<T>> problem;
+  Once<DriftProblem<T>> problem, problem_without_rows;
 };
 
 }  // namespace
@@ -116,14 +116,23 @@ const Model<T>& Scene::model() const {
 }
 template <class T>
 const DriftProblem<T>& Scene::problem() const {
-  return parts_->in<T>().problem.get([this] { return problem_of<T>(*this); });
+  return parts_->in<T>().problem.get([this] {
+    DriftProblem<T> problem = problem_without_rows<T>();
+    problem.times_s = output_times(scenario().duration_s, scenario().output_step_s);
+    return problem;
+  });
 }
-#define EARTHTOP_SCENE(T)                               \
-  template const Body<T>& Scene::body() const;          \
-  template const Release<T>& Scene::release() const;    \
-  template const TableProblem<T>& Scene::table() const; \
-  template const Model<T>& Scene::model() const;        \
-  template const DriftProblem<T>& Scene::problem() const;
+template <class T>
+const DriftProblem<T>& Scene::problem_without_rows() const {
+  return parts_->in<T>().problem_without_rows.get([this] { return problem_of<T>(*this); });
+}
+#define EARTHTOP_SCENE(T)                                 \
+  template const Body<T>& Scene::body() const;            \
+  template const Release<T>& Scene::release() const;      \
+  template const TableProblem<T>& Scene::table() const;   \
+  template const Model<T>& Scene::model() const;          \
+  template const DriftProblem<T>& Scene::problem() const; \
+  template const DriftProblem<T>& Scene::problem_without_rows() const;
 EARTHTOP_SCENE(double)
 EARTHTOP_SCENE(long double)
 EARTHTOP_SCENE(float128)

@@ -106,7 +106,7 @@ class Looks {
     without_looks.judgement_looks = 0;
     if (!ends_steps_at_rows(options.method)) without_looks.rows = 0;
     const Work rule = estimated_work(without_looks, options, scene_->form(options) == ModelForm::reduced);
-    const Release<T>& release = bare_.template problem<T>().release;
+    const Release<T>& release = bare_.template problem_without_rows<T>().release;
     auto stretch = drift_stretch(release, 0, 0, kFewSteps * whole_s_ / rule.steps, whole_s_, options);
     if (!stretch) return;
     const double at_first = stretch->steps_a_second();
@@ -143,7 +143,7 @@ class Looks {
   /// Does the same for the growth of disturbances.
   void see_growth() {
     if constexpr (std::is_same_v<T, double>) {
-      const DriftProblem<double>& problem = bare_.template problem<double>();
+      const DriftProblem<double>& problem = bare_.template problem_without_rows<double>();
       const auto tolerance = growth_tolerance(problem, whole_s_);
       if (!tolerance || has_smooth_series(problem, whole_s_)) return;
       const Work rule = variational_work(*pace_, whole_s_, *tolerance);
@@ -198,7 +198,7 @@ class Looks {
 
   /// The problem of a stretch at the beginning of a part. All the friction of the part acts in it.
   DriftProblem<T> problem_of(const Release<T>& begun, std::size_t part, double length_s, double stands_for_s) const {
-    DriftProblem<T> problem = bare_.template problem<T>();
+    DriftProblem<T> problem = bare_.template problem_without_rows<T>();
     problem.release = begun;
     problem.times_s = {double(part) * part_s(), double(part) * part_s() + length_s};
     problem.threshold_rad.reset();

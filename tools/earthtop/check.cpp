@@ -60,7 +60,7 @@ std::string verdict(const CheckedFile& checked) {
   }
   if (!report.warnings.empty()) text += ", " + counted(report.warnings.size(), "warning");
   if (report.scene) {
-    const RunSize size = expected_size(*report.scenario);
+    const RunSize size = expected_size(*report.scene);
     text += fmt::format("\n  {} of memory, {} of files", bytes_text(size.memory_bytes), bytes_text(size.file_bytes));
   }
   return text + '\n';
@@ -93,7 +93,7 @@ void report_json(const std::vector<CheckedFile>& files) {
     entry.put("errors", checked.report.error_count).put("warnings", checked.report.warnings.size());
     checked.report.scene ? entry.put_json("top", top_json(*checked.report.scene)) : entry.put_null("top");
     if (checked.report.scene) {
-      const RunSize size = expected_size(*scenario);
+      const RunSize size = expected_size(*checked.report.scene);
       entry.put("seconds", estimated_run_seconds(*checked.report.scene));
       entry.put("memory_bytes", size.memory_bytes).put("file_bytes", size.file_bytes);
     } else {

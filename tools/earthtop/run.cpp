@@ -96,8 +96,11 @@ WrittenRun run_and_write(const Scene& scene, const std::filesystem::path& dir, c
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  const double writing = writing_seconds(scene.scenario()), share = writing / (writing + estimated_run_seconds(scene));
-  WrittenRun run{earthtop::run(scene, {watch.part(0, 1 - share), arguments.partial, arguments.jobs})};
+  const double writing = writing_seconds(scene), share = writing / (writing + estimated_run_seconds(scene));
+  WrittenRun run{earthtop::run(scene, {.watch = watch.part(0, 1 - share),
+                                       .partial = arguments.partial,
+                                       .jobs = arguments.jobs,
+                                       .row_by_row = !arguments.partial})};
   run.was_interrupted = run.result.status == RunStatus::interrupted;
   run.is_written = !run.was_interrupted || is_partial(run.result);
   if (!run.is_written) return run;

@@ -85,13 +85,14 @@ ResultTexts read_result_texts(const std::filesystem::path& dir, std::vector<std:
 void write_results(const ResultTexts& texts, const Scene& scene, const std::filesystem::path& dir, bool force);
 
 /// The approximate cost of writing, in the seconds of `estimated_seconds`.
-double writing_seconds(const Scenario& scenario);
+double writing_seconds(const Scene& scene);
 
 /// What a run needs at its most, and what it writes: the process's memory, and all files together (bytes). Within a factor of 1.5.
+/// A long table is taken to be made row by row, as `earthtop run` does it without --partial.
 struct RunSize {
   double memory_bytes = 0, file_bytes = 0;
 };
-RunSize expected_size(const Scenario& scenario);
+RunSize expected_size(const Scene& scene);
 /// A size as a text, e.g. "2.3 GB" or "23 MB".
 std::string bytes_text(double bytes);
 

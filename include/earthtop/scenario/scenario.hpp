@@ -91,10 +91,23 @@ struct Scenario {
   std::optional<std::array<double, kInputCount>> uncertainty;
 };
 
-/// Returns the times of a scenario's output rows: k x step, and exactly the duration at the end. A k x step within 1e-9 step
-/// of the duration becomes that last row; a step longer than the duration gives only the rows at 0 and at the end.
-/// @param duration_s, output_step_s  (s)   @returns times (s), ascending, of shape (rows)
-/// @throws ScenarioError for a duration or step that is not above 0, or for more than 2,000,000 rows.
+/// The times of a scenario's output rows: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the
+/// duration becomes that last row; a step longer than the duration gives only the rows at 0 and at the end.
+class OutputTimes {
+ public:
+  /// @param duration_s, output_step_s  (s)
+  /// @throws ScenarioError for a duration or step that is not above 0, or for more than 2,000,000 rows.
+  OutputTimes(double duration_s, double output_step_s);
+  std::size_t size() const { return size_; }
+  /// The time of a row (s).
+  double at(std::size_t row) const { return row + 1 == size_ ? duration_s_ : static_cast<double>(row) * step_s_; }
+
+ private:
+  double duration_s_, step_s_;
+  std::size_t size_;
+};
+
+/// Returns all of them. @returns times (s), ascending, of shape (rows)   @throws as OutputTimes
 std::vector<double> output_times(double duration_s, double output_step_s);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).

@@ -140,6 +140,9 @@ class Scene {
   /// Returns the input of the integrations, in natural units.
   template <class T>
   const DriftProblem<T>& problem() const;
+  /// Returns the same without its rows: its times are only the release and the end. A long table is 8 bytes a row.
+  template <class T>
+  const DriftProblem<T>& problem_without_rows() const;
 
   /// Returns m g l, the largest torque of gravity about the pivot (N m); l is the distance of the centre of mass from it.
   /// @param pivot_acceleration_m_s2  is added to gravity (m/s^2)

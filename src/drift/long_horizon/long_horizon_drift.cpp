@@ -170,7 +170,7 @@ class LongHorizonDrift {
     if (steps <= path.steps_done()) return;
     path.go_to(steps, stop.position);
     if (watched == nullptr) return;
-    watched->system.follow(stop.followed);
+    watched->system.go_on_from(stop.followed);
     watched->watcher.go_on_from(stop.turns);
   }
 
@@ -210,8 +210,10 @@ class LongHorizonDrift {
                 const T here = path.time_done();
                 const Pair there = pair(path.walk().state(), top, here, epsilon);
                 if (here > times_[i - 1]) look(here, there);
-                const auto turns = watched != nullptr ? watched->watcher.turns() : StepWatcherTurns<T>();
-                stops->try_emplace(path.steps_done(), WalkedStops::Stop{path.walk().position(), there, turns});
+                WalkedStops::Stop stop{path.walk().position(), there, {}};
+                if (watched != nullptr)
+                  stop.followed = watched->system.signed_like_followed(there), stop.turns = watched->watcher.turns();
+                stops->try_emplace(path.steps_done(), stop);
               });
         }
         if (!goes_on()) return;

@@ -28,6 +28,10 @@ class LongHorizonPairSystem {
   LongHorizonPairSystem(T epsilon, T w3) : epsilon_(epsilon), w3_(w3) {}
 
   void follow(const Pair& x) { followed_ = signed_like(followed_, x); }
+  /// The pair with the signs of its two quaternions chosen to be close to those followed last.
+  Pair signed_like_followed(const Pair& pair) const { return signed_like(followed_, pair); }
+  /// @param followed  a pair with the signs that another watcher has given it
+  void go_on_from(const Pair& followed) { followed_ = followed; }
   DriftState<T> deviation_state(const Pair& pair, T) const {
     const Pair x = signed_like(followed_, pair);
     DriftState<T> s;
@@ -51,7 +55,6 @@ class LongHorizonPairSystem {
   }
 
  private:
-  /// The pair with the signs of its two quaternions chosen to be close to those followed last.
   Pair signed_like(const Pair& last, const Pair& pair) const {
     Pair x = pair;
     if (last.ref_q_LF.w * x.ref_q_LF.w + last.ref_q_LF.v.dot(x.ref_q_LF.v) < T(0)) x.ref_q_LF = {-x.ref_q_LF.w, -x.ref_q_LF.v};

@@ -54,6 +54,9 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
   }
 
   void follow(const State& x) { frame_.follow(load_vector(x, 0), load_vector(x, 6)); }
+  /// The frame last followed, which gives attitudes their signs; for another integration that goes on from here.
+  const SpinlessFrame<T>& followed() const { return frame_; }
+  void go_on_from(const SpinlessFrame<T>& followed) { frame_ = followed; }
   T largest_step() const {
     const T spin = real::abs(equations_.w3);
     return top_.axis == 2 || spin == T(0) ? T(0) : T(1) / spin;

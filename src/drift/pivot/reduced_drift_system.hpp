@@ -111,6 +111,9 @@ class ReducedDriftSystem : public WithSeries<ReducedDriftSeries<T, O>> {
 
   /// Called after every step, to keep attitudes continuous.
   void follow(const State& x) { frame_.follow(load(x, 0), load(x, 6)); }
+  /// The frame last followed, which gives attitudes their signs; for another integration that goes on from here.
+  const SpinlessFrame<T>& followed() const { return frame_; }
+  void go_on_from(const SpinlessFrame<T>& followed) { frame_ = followed; }
   /// The longest time between two states that are seen; 0: no limit. If body axis 3 is not the axis of symmetry it goes round
   /// with the spin, and its angles must be seen often enough.
   T largest_step() const {
