@@ -18,9 +18,8 @@ template <class T, Observer O, SceneKind K, RotatingMotion R>
 DriftTrajectory<T> integrate_general(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   DriftSystem<T, O, K, R> system(problem.model);
   const auto x = system.initial_state(problem.natural_release());
-  // Both motions may turn at the fastest rate, and the angle between them must change by less than half a turn between two
-  // looks. The steps of the other methods are short enough anyway.
-  const T largest_step = row_of(options.method).cost.is_watched ? T(1.5) / problem.fastest_rate : T(0);
+  // The steps of the other methods are short enough anyway.
+  const T largest_step = row_of(options.method).cost.is_watched ? longest_unseen_step(problem) : T(0);
   return integrate_system(system, x, problem, options, watch, largest_step);
 }
 

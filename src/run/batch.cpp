@@ -20,8 +20,15 @@ struct LanePoint {
   IntegrationOptions options;
   std::string reason;
 };
-/// The options that points side by side must share: form, tolerance and step limit.
-using Shared = std::tuple<ModelForm, double, std::int64_t>;
+/// What points side by side must share: whether their equations are recorded, form, tolerance and step limit.
+using Shared = std::tuple<bool, ModelForm, double, std::int64_t>;
+
+/// Whether the equations of a scene that is not plain can be recorded for lanes: a motion on a pivot that is smooth from the release on.
+bool can_be_recorded(const Scene& scene) {
+  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
+  return !scene.support().has_contact && applied.coulomb_N_m == 0 && !applied.gimbal &&
+         scene.problem_without_rows<double>().model.kind == SceneKind::full;
+}
 
 /// Returns whether the run of this scene is a single pair of integrations of which the first is a Taylor series, either of a
 /// symmetric top without its spin or of any body in body axes.
@@ -29,7 +36,8 @@ bool fits_lanes(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const IntegrationOptions& options = scene.choice().options;
   return scenario.precision == Precision::bits53 && !scenario.accuracy_rad && !scenario.effects.automatic &&
-         options.method == Method::taylor && scene.is_plain() && options.observer != Observer::inertial;
+         options.method == Method::taylor && options.observer != Observer::inertial &&
+         (scene.is_plain() || can_be_recorded(scene));
 }
 
 /// Makes the point of a scene, with the form of its equations written into the options.
@@ -139,7 +147,8 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
         if (fits_lanes(scene)) {
           scene.require_affordable();
           LanePoint point = lane_point(i, scene);
-          const Shared shared{point.options.form, point.options.relative_tolerance, point.options.step_limit};
+          const Shared shared{!scene.is_plain(), point.options.form, point.options.relative_tolerance,
+                              point.options.step_limit};
           lanes[shared].push_back(std::move(point));
           continue;
         }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "earthtop/run_batch.hpp"
+#include "lanes/driven_tops.hpp"
 #include "lanes/lane_bits.hpp"
 #include "support/changed_scene.hpp"
 #include "support/scenes.hpp"
@@ -42,8 +43,7 @@ std::vector<std::uint64_t> bits_of(const RunResult& result) {
 }
 
 /// Batch and single runs agree, within their bounds, with a third run: more digits, another method, other equations.
-TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
-  const std::vector<Scenario> scenes = tops(36, 60);
+void expect_agreement_within_bounds(const std::vector<Scenario>& scenes) {
   const std::vector<BatchOutcome> outcomes = run_batch(testing::resolved(scenes));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     SCOPED_TRACE(i);
@@ -83,6 +83,11 @@ TEST(RunBatch, AgreesWithRunsWithinTheBounds) {
   }
 }
 
+TEST(RunBatch, AgreesWithRunsWithinTheBounds) { expect_agreement_within_bounds(tops(36, 60)); }
+TEST(RunBatch, AgreesWithRunsWithinTheBoundsWhereEquationsAreRecorded) {
+  expect_agreement_within_bounds(testing::driven_tops(28, 60));
+}
+
 /// Whether the second integration is the looser or the finer one, the bounds contain the error against more digits.
 TEST(RunBatch, BoundsHoldAtEveryTolerance) {
   const std::vector<Scenario> scenes = tops(12, 120);
@@ -113,19 +118,20 @@ TEST(RunBatch, BoundsHoldAtEveryTolerance) {
 }
 
 TEST(RunBatch, OutcomesAreTheirOwn) {
-  std::vector<Scenario> scenes = tops(70, 20);
-  for (std::size_t i = 0; i < scenes.size(); i += 5) scenes[i].numerics.relative_tolerance = 1e-9;
-  const auto all = run_batch(testing::resolved(scenes));
-  for (const std::size_t i : {0U, 1U, 5U, 33U, 69U}) {
-    const auto one = run_batch(testing::resolved({scenes[i]}));
-    EXPECT_EQ(bits_of(*one[0].result), bits_of(*all[i].result)) << i;
+  for (std::vector<Scenario> scenes : {tops(70, 20), testing::driven_tops(70, 20)}) {
+    for (std::size_t i = 0; i < scenes.size(); i += 5) scenes[i].numerics.relative_tolerance = 1e-9;
+    const auto all = run_batch(testing::resolved(scenes));
+    for (const std::size_t i : {0U, 1U, 5U, 33U, 69U}) {
+      const auto one = run_batch(testing::resolved({scenes[i]}));
+      EXPECT_EQ(bits_of(*one[0].result), bits_of(*all[i].result)) << i;
+    }
   }
 }
 
 TEST(RunBatch, RunsWhatDoesNotFitByItself) {
   std::vector<Scenario> scenes;
   scenes.push_back(testing::asymmetric_top());
-  scenes.back().platform = PlatformSpec{PlatformMotion::harmonic, {1, 1, 0.2}, 0, 0, 0.1, 0.7, 20, {0.1, -0.2, 0.3}};
+  scenes.back().effects.applied.coulomb_N_m = 1e-5;
   scenes.push_back(testing::toy_top());
   scenes.back().precision = Precision::bits64;
   scenes.back().numerics.relative_tolerance = default_tolerance(Precision::bits64);

@@ -10,6 +10,7 @@
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "lanes/driven_tops.hpp"
 #include "lanes/lane_bits.hpp"
 #include "support/scenes.hpp"
 
@@ -380,6 +381,10 @@ TEST(DriftLanes, LeaveTroubleWhereItIs) {
     EXPECT_EQ(got[13].counters.accepted, options.step_limit);
     EXPECT_GT(got[13].samples.size(), 10U);
   }
+}
+
+TEST(RecordedLanes, HaveBitsOfTheirOwn) {
+  for (const auto& [problems, options] : testing::driven_drifts(42, kTolerance)) expect_own_drift_bits(problems, options);
 }
 
 TEST(DriftLanes, StopWhenAsked) {

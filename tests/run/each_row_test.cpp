@@ -152,8 +152,8 @@ TEST(EachRow, SaysThatTheMotionCannotBeIntegratedOnceMore) {
   RunResult result = run(scene, {.row_by_row = true});
   IntegrationOptions options = scene.choice().options;
   options.step_limit = 1;
-  result.later_rows = std::make_shared<const LaterRows>(with_few_rows(scene), OutputTimes(5, scene.scenario().output_step_s), options,
-                                                        LookMemory(), std::vector<JudgedLook>(1), false);
+  result.later_rows = std::make_shared<const LaterRows>(with_few_rows(scene), OutputTimes(5, scene.scenario().output_step_s),
+                                                        options, LookMemory(), std::vector<JudgedLook>(1), false);
   try {
     all_rows(result);
     FAIL() << "rows were made of nothing";

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "drift/motion_way.hpp"
+#include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"

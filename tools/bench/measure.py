@@ -235,6 +235,8 @@ def studies(lab):
     table = [
         ("toy tops of a minute at 1e-10, only the end", {"base": toy, "set": loose, "axes": grid(40, 25), "collect": end}, 1),
         ("the same with all rows", {"base": toy, "set": loose, "axes": grid(40, 25), "collect": end, "rows": "all"}, 1),
+        ("toy tops of a minute with a viscous pivot", {"base": toy, "set": {"/effects/viscous_torque_N_m_s": 1e-8}, "axes": grid(20, 10)}, 1),
+        ("toy tops of a minute in a tide", {"base": toy, "set": {"/effects/tide": {"amplitude_m_s2": [1e-6, 0, 1e-6], "frequency_hz": 2e-5, "phase_deg": 0}}, "axes": grid(20, 10)}, 1),
         ("toy tops of a minute, two threads", {"base": toy, "axes": grid(40, 25)}, 2),
         ("toy tops of a minute, one thread", {"base": toy, "axes": grid(40, 25)}, 1),
         (

@@ -2,6 +2,8 @@
 #define EARTHTOP_LANE_WIDTH 4
 #include "drift/lanes/drift_kernels.ipp"
 #include "drift/lanes/general_drift_kernels.ipp"
+#include "drift/lanes/recorded_drift_kernels.ipp"
 
 EARTHTOP_DRIFT_KERNELS(avx2)
 EARTHTOP_GENERAL_DRIFT_KERNELS(avx2)
+EARTHTOP_RECORDED_DRIFT_KERNELS(avx2)

@@ -2,6 +2,8 @@
 #define EARTHTOP_LANE_WIDTH 2
 #include "drift/lanes/drift_kernels.ipp"
 #include "drift/lanes/general_drift_kernels.ipp"
+#include "drift/lanes/recorded_drift_kernels.ipp"
 
 EARTHTOP_DRIFT_KERNELS(baseline)
 EARTHTOP_GENERAL_DRIFT_KERNELS(baseline)
+EARTHTOP_RECORDED_DRIFT_KERNELS(baseline)

@@ -4,16 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <utility>
 
 #include "drift/lanes/drift_kernels.hpp"
 #include "drift/lanes/general_drift_kernels.hpp"
+#include "drift/lanes/recorded_drift_kernels.hpp"
 #include "drift/lanes/spherical_top_drift.hpp"
 #include "drift/pivot/drift_system.hpp"
+#include "drift/pivot/driven_reduced_drift.hpp"
 #include "drift/release_rates.hpp"
 #include "drift/watch/step_watcher.hpp"
 #include "integrate/lanes/choose_kernel.hpp"
+#include "integrate/lanes/lane_program.hpp"
 #include "integrate/lanes/schedule.hpp"
 #include "integrate/natural_times.hpp"
 
@@ -180,11 +184,113 @@ std::vector<DriftTrajectory<double>> integrate(const lanes::Kernel& kernel, std:
   return trajectories;
 }
 
+/// The drift of any body in any scene, as recorded.
+template <Observer O>
+class ComposedDrift : public DriftSystem<double, O, SceneKind::full, RotatingMotion::composed> {
+ public:
+  using Base = DriftSystem<double, O, SceneKind::full, RotatingMotion::composed>;
+  static constexpr int kVariables = lanes::kComposedDriftVariables;
+  static_assert(lanes::are_groups_of<Base>(lanes::kComposedDriftGroups));
+
+  explicit ComposedDrift(const DriftProblem<double>& problem) : Base(problem.model), problem_(problem) {}
+  typename Base::State initial_state() const { return Base::initial_state(problem_.natural_release()); }
+  double largest_step() const { return longest_unseen_step(problem_); }
+  taylor::Operations<double> record() const { return record_drift<double>(problem_.model, O, initial_state(), 0); }
+
+ private:
+  const DriftProblem<double>& problem_;
+};
+
+/// The drift of a symmetric top without its spin, with torques that do not depend on it, as recorded.
+template <Observer O>
+class DrivenDrift : public DrivenReducedDrift<double, O> {
+ public:
+  using Base = DrivenReducedDrift<double, O>;
+  static constexpr int kVariables = lanes::kDrivenDriftVariables;
+  static_assert(lanes::are_groups_of<Base>(lanes::kDrivenDriftGroups));
+
+  explicit DrivenDrift(const DriftProblem<double>& problem) : Base(problem.model, problem.natural_release()) {}
+  taylor::Operations<double> record() const { return record_spinless<double>(this->equations(), this->initial_state(), 0); }
+};
+
+/// A point whose right-hand side is recorded as it is at the release. Where it branches otherwise later, the point leaves its lane.
+template <class Drift>
+class RecordedPoint : public DriftPoint<Drift> {
+ public:
+  RecordedPoint(const DriftProblem<double>& problem, const IntegrationOptions& options, const Watch& watch,
+                DriftTrajectory<double>& trajectory, const lanes::RecordedCode& code, lanes::LaneProgram& program,
+                bool& has_left)
+      : DriftPoint<Drift>(problem, options, watch, trajectory), code_(code), program_(program), has_left_(has_left) {}
+
+  void constants(lanes::Row*, std::size_t lane) {
+    lane_ = lane;
+    program_.put(lane, code_);
+  }
+  void before_step(double t) { program_.set_time(lane_, t); }
+  bool leaves() { return has_left_ = program_.is_off_branch(lane_); }
+
+ private:
+  const lanes::RecordedCode& code_;
+  lanes::LaneProgram& program_;
+  bool& has_left_;
+  std::size_t lane_ = 0;
+};
+
+/// Integrates drifts as recorded. Points with the same code go side by side; those that leave their lane are integrated by themselves.
+template <class Drift>
+std::vector<DriftTrajectory<double>> integrate_recorded(const lanes::Kernel& kernel, int width,
+                                                        std::span<const DriftProblem<double>> problems,
+                                                        const IntegrationOptions& options, const Watch& watch) {
+  std::vector<DriftTrajectory<double>> trajectories(problems.size());
+  std::vector<lanes::RecordedCode> codes;
+  codes.reserve(problems.size());
+  for (const DriftProblem<double>& problem : problems) codes.emplace_back(Drift(problem).record());
+  const auto have_left = std::make_unique<bool[]>(problems.size());
+  std::vector<bool> is_done(problems.size());
+  for (std::size_t first = 0; first < problems.size(); ++first) {
+    if (is_done[first]) continue;
+    std::vector<std::size_t> alike;
+    for (std::size_t i = first; i < problems.size(); ++i)
+      if (!is_done[i] && lanes::have_same_code(codes[first], codes[i])) alike.push_back(i), is_done[i] = true;
+    lanes::LaneProgram program(codes[first], width);
+    lanes::Plan plan = lanes::plan_for(kernel, options.relative_tolerance);
+    plan.code = program.code();
+    const auto arguments = [&](std::size_t k) {
+      const std::size_t i = alike[k];
+      return std::tie(problems[i], options, watch, trajectories[i], codes[i], program, have_left[i]);
+    };
+    lanes::run_in_lanes<RecordedPoint<Drift>>(plan, alike.size(), arguments);
+  }
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    if (have_left[i]) trajectories[i] = integrate_drift(problems[i], options, watch);
+  return trajectories;
+}
+
+/// Whether the equations of a problem have to be recorded: no series is written for them.
+bool is_recorded(const DriftProblem<double>& problem) { return problem.model.kind != SceneKind::plain; }
+
+std::vector<DriftTrajectory<double>> integrate_recorded(std::span<const DriftProblem<double>> problems,
+                                                        const IntegrationOptions& options, const Watch& watch,
+                                                        InstructionSet set) {
+  const bool is_inertial = options.observer == Observer::inertial;
+  const int width = lanes::width_of(set);
+  if (options.form == ModelForm::general) {
+    const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kComposedDrift);
+    if (is_inertial) return integrate_recorded<ComposedDrift<Observer::inertial>>(kernel, width, problems, options, watch);
+    if (options.observer == Observer::body)
+      return integrate_recorded<ComposedDrift<Observer::body>>(kernel, width, problems, options, watch);
+    throw std::logic_error("the general form in lanes has no laboratory axes");
+  }
+  const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kDrivenDrift);
+  if (is_inertial) return integrate_recorded<DrivenDrift<Observer::inertial>>(kernel, width, problems, options, watch);
+  if (options.observer == Observer::laboratory)
+    return integrate_recorded<DrivenDrift<Observer::laboratory>>(kernel, width, problems, options, watch);
+  throw std::logic_error("the reduced form has no body axes");
+}
+
 std::vector<DriftTrajectory<double>> integrate_general(std::span<const DriftProblem<double>> problems,
                                                        const IntegrationOptions& options, const Watch& watch,
                                                        InstructionSet set) {
-  for (const DriftProblem<double>& problem : problems)
-    if (problem.model.kind != SceneKind::plain) throw std::logic_error("no series is compiled for this scene");
   if (options.observer == Observer::body)
     return integrate<BodyDrift>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kBodyDrift), problems, options, watch);
   if (options.observer == Observer::inertial)
@@ -198,6 +304,9 @@ std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const Dr
                                                               const IntegrationOptions& options, const Watch& watch,
                                                               std::optional<InstructionSet> set) {
   const InstructionSet taken = lanes::available(set);
+  const auto recorded = std::ranges::count_if(problems, is_recorded);
+  if (recorded != 0 && recorded != std::ssize(problems)) throw std::logic_error("problems side by side must be of one kind");
+  if (recorded != 0) return integrate_recorded(problems, options, watch, taken);
   if (options.form == ModelForm::general) return integrate_general(problems, options, watch, taken);
   switch (options.observer) {
     case Observer::laboratory:

@@ -45,6 +45,13 @@ void store_deviation(const Deviation<T>& deviation, std::array<T, N>& x) {
 
 }  // namespace drift_state
 
+/// The longest time between two states that are seen. Both motions may turn at the fastest rate, and the angle between them must change
+/// by less than half a turn.
+template <class T>
+T longest_unseen_step(const DriftProblem<T>& problem) {
+  return T(1.5) / problem.fastest_rate;
+}
+
 /// The shape of a state: the reference's attitude and rate, the deviation, and where it is integrated the rotating motion.
 template <RotatingMotion R>
 struct DriftShape {

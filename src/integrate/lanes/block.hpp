@@ -26,12 +26,15 @@ struct alignas(64) Row {
   double lane[kLanes];
 };
 
+struct LaneCode;
+
 /// Eight points, their last step, and its series. Times are in each point's own unit.
 struct Block {
   // Set by the scheduler.
   int order;                      ///< of the series, at least 2
   double tolerance_squared;       ///< square of the size that the last terms may have relative to their groups
   Row constants[kMostConstants];  ///< constants of the equations
+  LaneCode* code;                 ///< of equations that are recorded (lane_code.hpp); else null
   Row longest;                    ///< limit to the step
   // Advanced by a step.
   Row x[kMostVariables];     ///< the state

@@ -23,6 +23,9 @@ inline InstructionSet available(std::optional<InstructionSet> asked) {
   return *asked;
 }
 
+/// How many doubles the vectors of a kernel have.
+inline int width_of(InstructionSet set) { return set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2; }
+
 }  // namespace earthtop::lanes
 
 /// The kernel `name` for an instruction set: `name`_baseline, `name`_avx2 or `name`_avx512. A macro, since it joins names, and since

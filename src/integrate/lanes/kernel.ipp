@@ -108,7 +108,7 @@ EARTHTOP_LANE_INLINE Pack power_of_two(Pack x) {
 ///   kCoordinates          how many of the variables have equations of second order: these come first in the state, then as many
 ///                         velocities, which have no series of their own, then the variables with equations of first order
 ///   kGroups, kGroupCount  the component groups of the state, and their number
-///   Series(constants, chunk)
+///   Series(constants, chunk), or Series(block, chunk) for recorded equations
 ///   start(c)              is given the state, as coefficients of order 0; velocities as those of order 1
 ///   extend(c, k)          finds the state's coefficients of order k + 1, those of coordinates of order k + 2, from all those
 ///                         below
@@ -191,7 +191,12 @@ struct Chunk {
   EARTHTOP_LANE_INLINE static void step(Block& block, int chunk) {
     const Coefficients<kStored> c = coefficients(block, chunk);
     for (int i = 0; i < n; ++i) c.put(is_velocity(i) ? 1 : 0, series_of(i), load(block.x[i], chunk));
-    Series series(block.constants, chunk);
+    auto series = [&] {
+      if constexpr (requires { Series(block, chunk); })
+        return Series(block, chunk);
+      else
+        return Series(block.constants, chunk);
+    }();
     series.start(c);
     const int order = block.order;
     for (int k = 0; k < order - (kCoordinates > 0 ? 1 : 0); ++k) series.extend(c, k);

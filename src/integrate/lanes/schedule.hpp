@@ -24,7 +24,8 @@ namespace earthtop::lanes {
 struct Plan {
   const Kernel* kernel;
   int order;
-  double last_term;  ///< size of a series' last term relative to that of its component group
+  double last_term;          ///< size of a series' last term relative to that of its component group
+  LaneCode* code = nullptr;  ///< of equations that are recorded
 };
 
 /// The plan for a tolerance. The last term is that of `TaylorStepper`. The order is the one of least work for tops with many
@@ -43,6 +44,8 @@ inline Plan plan_for(const Kernel& kernel, double relative_tolerance) {
 ///   longest_unseen_turn()      how far the motion may turn between two states that on_step or on_row sees (rad); 0: they see
 ///                              the end of every step
 ///   constants(rows, lane)      puts the constants of the equations into the lane's place
+///   before_step(t)             where the point has it, is called before a step that begins at t
+///   leaves()                   where the point has it: whether the step that was taken does not count, and the point is left unfinished
 ///   on_step(t, x), on_row(row, x)    see the states between the rows, and those of the rows
 ///   finish(status, counters)   is called at the end
 template <class Point>
@@ -83,11 +86,14 @@ class Lane {
         status != RunStatus::completed)
       return end(status);
     at(block_.longest) = std::min(clock_.remaining(), point_.longest_step());
+    if constexpr (requires { point_.before_step(clock_.now()); }) point_.before_step(clock_.now());
     return true;
   }
 
   /// Accepts the step that the kernel has taken. @returns whether the point goes on, with states of that step to be seen
   bool accept() {
+    if constexpr (requires { point_.leaves(); })
+      if (point_.leaves()) return false;
     ++counters_.accepted;
     counters_.evaluations += block_.order;
     if (!(at(block_.not_finite) == 0.0)) return end(RunStatus::not_finite);
@@ -177,6 +183,7 @@ class Schedule {
   Schedule(const Plan& plan, std::size_t count, const Arguments& arguments)
       : kernel_(*plan.kernel), count_(count), arguments_(arguments), block_(std::make_unique<Block>()) {
     block_->order = plan.order;
+    block_->code = plan.code;
     block_->tolerance_squared = plan.last_term * plan.last_term;
   }
 

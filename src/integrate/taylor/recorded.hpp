@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <bit>
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -26,6 +27,14 @@
 namespace earthtop {
 namespace taylor {
 
+/// Follows from what an operation computes, and not from its place in the list. The form comes first, so that tops whose numbers differ
+/// have the same list wherever it can be.
+struct Mark {
+  std::uint64_t form = 0;     ///< of the operation and its operands, without their numbers
+  std::uint64_t numbers = 0;  ///< of form and numbers
+  auto operator<=>(const Mark&) const = default;
+};
+
 /// The list while it is written.
 template <class T>
 class Recording {
@@ -36,8 +45,7 @@ class Recording {
     if (is_new) operations_.list.push_back(operation), values_.push_back(value), marks_.push_back(mark_of(operation, value));
     return found->second;
   }
-  /// A number that follows from what an operation computes, and not from its place in the list.
-  std::uint64_t mark(int place) const { return marks_[static_cast<std::size_t>(place)]; }
+  Mark mark(int place) const { return marks_[static_cast<std::size_t>(place)]; }
   int constant(T number) { return add({.kind = Kind::constant, .number = number}, number); }
   /// Adds a number by which the right-hand side may be differentiated; each call makes another one.
   int parameter(T number) { return add({.kind = Kind::parameter, .a = parameters_++, .number = number}, number); }
@@ -85,19 +93,22 @@ class Recording {
   using Bits = std::pair<std::uint64_t, std::uint64_t>;
   using Key = std::tuple<Kind, int, int, Bits, Bits, Bits>;
   static Key key_of(const Operation<T>& o) { return {o.kind, o.a, o.b, bits(o.number), bits(o.factor_a), bits(o.factor_b)}; }
-  std::uint64_t mark_of(const Operation<T>& o, T value) const {
-    std::uint64_t mark = static_cast<std::uint64_t>(o.kind);
-    const auto mix = [&](std::uint64_t bits) {
+  Mark mark_of(const Operation<T>& o, T value) const {
+    const auto mix = [](std::uint64_t& mark, std::uint64_t bits) {
       mark = (mark ^ bits) * 0x9e3779b97f4a7c15U;
       mark ^= mark >> 32U;
     };
-    for (const T number : {o.number, o.factor_a, o.factor_b}) mix(bits(number).first), mix(bits(number).second);
-    const bool has_operands = has_operand(o.kind);
-    const bool is_numbered = o.kind == Kind::state || o.kind == Kind::parameter;
-    mix(has_operands && o.a >= 0 ? this->mark(o.a) : is_numbered ? static_cast<std::uint64_t>(o.a) : 0U);
-    mix(has_operands && o.b >= 0 ? this->mark(o.b) : 0U);
+    const bool has_operands = has_operand(o.kind), is_numbered = o.kind == Kind::state || o.kind == Kind::parameter;
+    const Mark a = has_operands && o.a >= 0 ? this->mark(o.a) : Mark{is_numbered ? static_cast<std::uint64_t>(o.a) : 0U, 0};
+    const Mark b = has_operands && o.b >= 0 ? this->mark(o.b) : Mark{};
+    Mark mark{static_cast<std::uint64_t>(o.kind), 0};
+    mix(mark.form, a.form), mix(mark.form, b.form);
+    mark.numbers = mark.form;
+    mix(mark.numbers, a.numbers), mix(mark.numbers, b.numbers);
+    for (const T number : {o.number, o.factor_a, o.factor_b})
+      mix(mark.numbers, bits(number).first), mix(mark.numbers, bits(number).second);
     // Functions of time are numbered as they are met.
-    if (o.kind == Kind::given) mix(bits(value).first), mix(bits(value).second);
+    if (o.kind == Kind::given) mix(mark.numbers, bits(value).first), mix(mark.numbers, bits(value).second);
     return mark;
   }
   /// A number as an ordered key; -0 and 0 are different numbers.
@@ -109,7 +120,7 @@ class Recording {
 
   Operations<T> operations_;
   std::vector<T> values_;
-  std::vector<std::uint64_t> marks_;
+  std::vector<Mark> marks_;
   std::map<Key, int> places_;
   std::map<int, int> sines_;
   int parameters_ = 0;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The kernels of drifts whose right-hand side is recorded, by the shapes of their states.
+#pragma once
+
+#include "integrate/lanes/block.hpp"
+
+namespace earthtop::lanes {
+
+/// As DrivenReducedShape has them, and DriftShape with the rotating motion composed.
+constexpr Group kDrivenDriftGroups[] = {{0, 3, true},   {3, 3, false}, {6, 3, true},  {9, 1, false},
+                                        {10, 1, false}, {11, 1, true}, {12, 7, false}};
+constexpr Group kComposedDriftGroups[] = {{0, 4, true}, {4, 3, false}, {7, 1, true}, {8, 6, false}};
+inline constexpr int kDrivenDriftVariables = 19, kComposedDriftVariables = 14;
+
+extern const Kernel kDrivenDrift_baseline, kComposedDrift_baseline;
+extern const Kernel kDrivenDrift_avx2, kComposedDrift_avx2;
+extern const Kernel kDrivenDrift_avx512, kComposedDrift_avx512;
+
+}  // namespace earthtop::lanes

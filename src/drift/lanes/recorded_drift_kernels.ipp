@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The kernels of recorded_drift_kernels.hpp for one instruction set.
+#pragma once
+
+#include "drift/lanes/recorded_drift_kernels.hpp"
+#include "integrate/lanes/recorded_kernel.ipp"
+
+namespace earthtop::lanes {
+namespace {
+
+struct DrivenDriftLanes {
+  static constexpr int kVariables = kDrivenDriftVariables, kGroupCount = 7;
+  static constexpr const Group* kGroups = kDrivenDriftGroups;
+};
+struct ComposedDriftLanes {
+  static constexpr int kVariables = kComposedDriftVariables, kGroupCount = 4;
+  static constexpr const Group* kGroups = kComposedDriftGroups;
+};
+
+}  // namespace
+}  // namespace earthtop::lanes
+
+#define EARTHTOP_RECORDED_DRIFT_KERNELS(set)                                            \
+  namespace earthtop::lanes {                                                           \
+  const Kernel kDrivenDrift_##set{step_block<RecordedLanes<DrivenDriftLanes>>,          \
+                                  evaluate_block<RecordedLanes<DrivenDriftLanes>>};     \
+  const Kernel kComposedDrift_##set{step_block<RecordedLanes<ComposedDriftLanes>>,      \
+                                    evaluate_block<RecordedLanes<ComposedDriftLanes>>}; \
+  }
