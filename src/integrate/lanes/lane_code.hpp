@@ -49,13 +49,17 @@ struct LaneCode {
   const Row* given_rows;           ///< of each component kMostOrder + 1 coefficients, set before a step
   Row now;                         ///< the time at the beginning of the step, set before it
 
-  // What an expansion works on, as much as a chunk (the lanes of one vector) needs side by side: the numbers of the first chunk, then
-  // those of the next one.
-  int places, factor_count, packs;  ///< how many numbers of each lane there are, and packs of four products
-  double* zero;                     ///< coefficients of order 0, by place; constants are there
-  double* present;                  ///< those of the present order
-  double* factors;                  ///< of the sums; those that are held over a step are found at its beginning
-  double* products;                 ///< for each pack the left factors by order, four of each order, then the right ones
+  // The factors of products, of which few are different: each has a slot. First come results that are factors, then the factors of other
+  // operations, which are no results.
+  const int* slot_places;    ///< places of the results
+  const int* product_slots;  ///< of each pack of four products the slots of the left factors, then those of the right ones
+
+  // What an expansion works on: the numbers of the first chunk (the lanes of one vector), then those of the next one.
+  int places, factor_count, packs, slots, result_slots;  ///< how many there are
+  double* zero;                                          ///< coefficients of order 0, by place; constants are there
+  double* present;                                       ///< those of the present order
+  double* factors;  ///< of the sums; those that are held over a step are found at its beginning
+  double* history;  ///< of each order the factors of products, by slot
   double*
       sums;  ///< of each product what two orders are without their newest terms: for each pack four of the even, four of the odd one
   Row off_branch;  ///< whether a comparison has another outcome than when the right-hand side was recorded: 0 or 1

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include "earthtop/elementary.hpp"
@@ -75,10 +76,11 @@ LaneProgram::LaneProgram(const RecordedCode& first, int width) : code_(first.cod
   for (const taylor::Guard& guard : code_.guards) guards_.push_back({guard.less, guard.more, guard.outcome ? 1 : 0});
 
   const auto sized = [](Doubles& numbers, std::size_t of_a_lane) { numbers.assign(of_a_lane * kLanes, 0.0); };
-  const auto lanes = static_cast<std::size_t>(code_.lanes);
+  find_slots();
   sized(zero_, static_cast<std::size_t>(code_.places)), sized(present_, static_cast<std::size_t>(code_.places));
   sized(factors_, code_.factors.size());
-  sized(products_, lanes * 2 * (kMostOrder + 1)), sized(sums_, lanes * 2);
+  sized(history_, static_cast<std::size_t>(read_.slots) * (kMostOrder + 1));
+  sized(sums_, static_cast<std::size_t>(code_.lanes) * 2);
   numbers_.starts.assign(starts_.size(), Row{}), numbers_.start_factors.assign(terms_.size(), Row{});
   numbers_.instructions.assign(instructions_.size(), Row{});
   numbers_.given.assign(static_cast<std::size_t>(given_rows), Row{});
@@ -96,13 +98,34 @@ LaneProgram::LaneProgram(const RecordedCode& first, int width) : code_(first.cod
   read_.places = code_.places, read_.factor_count = static_cast<int>(code_.factors.size()),
   read_.packs = code_.lanes / Code::kPack;
   read_.zero = zero_.data(), read_.present = present_.data();
-  read_.factors = factors_.data(), read_.products = products_.data(), read_.sums = sums_.data();
+  read_.factors = factors_.data(), read_.history = history_.data(), read_.sums = sums_.data();
   read_.sin_cos = [](double x, double* sine, double* cosine) {
     const SinCos<double> both = real::sin_cos(x);
     *sine = both.sin, *cosine = both.cos;
   };
   read_.power = [](double x, double exponent) { return real::pow(x, exponent); };
   read_.square_root = [](double x) { return std::sqrt(x); };
+}
+
+/// Gives slots to the results that are factors of products, and to the factors of other operations.
+void LaneProgram::find_slots() {
+  constexpr int kPack = Code::kPack;
+  std::map<unsigned, int> of_place;
+  const auto slot_of = [&](unsigned place) {
+    const auto [found, is_new] = of_place.try_emplace(place, static_cast<int>(slot_places_.size()));
+    if (is_new) slot_places_.push_back(static_cast<int>(place));
+    return found->second;
+  };
+  const unsigned* operands = code_.operands.data();
+  for (const int step : code_.steps) {
+    if (step == Code::kProducts)
+      for (int i = 0; i < 2 * kPack; ++i) product_slots_.push_back(slot_of(operands[i]));
+    operands += step == Code::kProducts ? 2 * kPack : step >= Code::kSums ? (step - Code::kSums) * kPack : 0;
+  }
+  read_.result_slots = read_.slots = static_cast<int>(slot_places_.size());
+  for (std::size_t of_others = product_slots_.size(); of_others < 2 * static_cast<std::size_t>(code_.lanes); ++of_others)
+    product_slots_.push_back(read_.slots++);
+  read_.slot_places = slot_places_.data(), read_.product_slots = product_slots_.data();
 }
 
 void LaneProgram::put(std::size_t lane, const RecordedCode& point) {

@@ -35,6 +35,8 @@ class LaneProgram {
   LaneCode* code() { return &read_; }
 
  private:
+  void find_slots();
+
   using Rows = std::vector<Row>;
   using Doubles = taylor::AlignedNumbers<double>;
   /// A number of a lane among those of all chunks. @param count  numbers of each lane
@@ -52,7 +54,8 @@ class LaneProgram {
   std::vector<LaneGuard> guards_;
   Numbers numbers_;
   std::size_t width_;
-  Doubles zero_, present_, factors_, products_, sums_;
+  std::vector<int> slot_places_, product_slots_;
+  Doubles zero_, present_, factors_, history_, sums_;
   std::vector<int> first_given_row_;  ///< of each function
   std::array<const RecordedCode*, kLanes> points_{};
   std::vector<std::array<double, 3>> expanded_;

@@ -24,7 +24,7 @@ class RecordedLanes {
         zero_(part(code_.zero, code_.places)),
         present_(part(code_.present, code_.places)),
         factors_(part(code_.factors, code_.factor_count)),
-        products_(part(code_.products, code_.packs * (2 * kOfProducts))),
+        history_(part(code_.history, code_.slots * (kMostOrder + 1))),
         sums_(part(code_.sums, code_.packs * (2 * kPack))) {}
 
   void start(const C& c) const {
@@ -39,6 +39,7 @@ class RecordedLanes {
     store(code_.off_branch, chunk_, off);
     // The first order is odd; the sums of the even ones are made before they are read.
     for (int i = 0; i < code_.packs * (2 * kPack); ++i) sums_[i] = Pack{};
+    keep_factors(zero_, 0);
   }
   void extend(const C& c, int k) const {
     if (k > 0 && k % 2 == 0) sweep(k), find_order<true>(c, k);
@@ -50,40 +51,54 @@ class RecordedLanes {
 
  private:
   static constexpr int kPack = 4;
-  static constexpr int kOfProducts = (kMostOrder + 1) * kPack;  ///< the left factors of a pack
 
   EARTHTOP_LANE_INLINE RowPart* part(double* numbers, int count) const {
     return reinterpret_cast<RowPart*>(numbers) + static_cast<long>(chunk_) * count;
   }
-  /// The left factors of a product, kPack apart for each order; the right ones are kOfProducts after them.
-  EARTHTOP_LANE_INLINE RowPart* left(int product) const {
-    return products_ + static_cast<long>(product / kPack) * (2 * kOfProducts) + product % kPack;
-  }
-  EARTHTOP_LANE_INLINE void put_factors(int product, int k, Pack a, Pack b) const {
-    RowPart* const at = left(product) + k * kPack;
-    at[0] = a, at[kOfProducts] = b;
-  }
+  EARTHTOP_LANE_INLINE RowPart* factors_of(int k) const { return history_ + static_cast<long>(k) * code_.slots; }
+  EARTHTOP_LANE_INLINE const int* slots_of_pack(int pack) const { return code_.product_slots + pack * (2 * kPack); }
+  EARTHTOP_LANE_INLINE int left(int product) const { return slots_of_pack(product / kPack)[product % kPack]; }
+  EARTHTOP_LANE_INLINE int right(int product) const { return slots_of_pack(product / kPack)[kPack + product % kPack]; }
   EARTHTOP_LANE_INLINE RowPart* sum(int product) const {
     return sums_ + static_cast<long>(product / kPack) * (2 * kPack) + product % kPack;
   }
-  /// Sums the products with j = 1 .. k - 1 of order k, and with j = 2 .. k - 1 of order k + 1: most of the time goes into loading.
+  EARTHTOP_LANE_INLINE RowPart& odd_sum(int product) const { return sum(product)[kPack]; }
+  EARTHTOP_LANE_INLINE void put_factors(int product, int k, Pack a, Pack b) const {
+    RowPart* const factors = factors_of(k);
+    factors[left(product)] = a, factors[right(product)] = b;
+  }
+  /// Keeps the results of order k that are factors.
+  EARTHTOP_LANE_INLINE void keep_factors(const RowPart* results, int k) const {
+    RowPart* const factors = factors_of(k);
+    for (int slot = 0; slot < code_.result_slots; ++slot) factors[slot] = results[code_.slot_places[slot]];
+  }
+  /// Sums the products with j = 1 .. k - 1 of order k, and with j = 2 .. k - 1 of order k + 1, some orders at a time: their factors stay
+  /// in the nearest memory while all products take them.
   void sweep(int k) const {
-    for (int pack = 0; pack < code_.packs; ++pack) {
-      const RowPart* a = left(pack * kPack) + kPack;
-      const RowPart* b = left(pack * kPack) + kOfProducts + (k - 1) * kPack;
-      Pack even[kPack], odd[kPack], before[kPack];
-      for (int i = 0; i < kPack; ++i) before[i] = b[i], even[i] = a[i] * before[i], odd[i] = Pack{};
-      for (int j = 2; j < k; ++j) {
-        a += kPack, b -= kPack;
-        for (int i = 0; i < kPack; ++i) {
-          const Pack factor = a[i];
-          odd[i] += factor * before[i];
-          before[i] = b[i];
-          even[i] += factor * before[i];
+    constexpr int kOrders = 8;
+    for (int begin = 1; begin < k; begin += kOrders) {
+      const int end = begin + kOrders < k ? begin + kOrders : k;
+      for (int pack = 0; pack < code_.packs; ++pack) {
+        const int *l = slots_of_pack(pack), *r = l + kPack;
+        RowPart* const sums = sum(pack * kPack);
+        const RowPart *a = factors_of(begin), *b = factors_of(k - begin);
+        Pack even[kPack], odd[kPack], before[kPack];
+        int j = begin;
+        if (begin == 1) {
+          for (int i = 0; i < kPack; ++i) before[i] = b[r[i]], even[i] = a[l[i]] * before[i], odd[i] = Pack{};
+          ++j, a += code_.slots, b -= code_.slots;
+        } else {
+          for (int i = 0; i < kPack; ++i) before[i] = b[code_.slots + r[i]], even[i] = sums[i], odd[i] = sums[kPack + i];
         }
+        for (; j < end; ++j, a += code_.slots, b -= code_.slots)
+          for (int i = 0; i < kPack; ++i) {
+            const Pack factor = a[l[i]];
+            odd[i] += factor * before[i];
+            before[i] = b[r[i]];
+            even[i] += factor * before[i];
+          }
+        for (int i = 0; i < kPack; ++i) sums[i] = even[i], sums[kPack + i] = odd[i];
       }
-      RowPart* const sums = sum(pack * kPack);
-      for (int i = 0; i < kPack; ++i) sums[i] = even[i], sums[kPack + i] = odd[i];
     }
   }
   template <class Function>
@@ -112,7 +127,6 @@ class RecordedLanes {
       case kProduct: {
         const Pack a = zero_[in.a], b = zero_[in.b];
         zero_[in.out] = a * b;
-        if (in.product >= 0) put_factors(in.product, 0, a, b);
         break;
       }
       case kTime: zero_[in.out] = load(code_.now, chunk_); break;
@@ -167,21 +181,24 @@ class RecordedLanes {
     RowPart* out = present_ + code_.first_result;
     int product = 0, instruction = 0;
     for (const int* step = code_.steps;; ++step) {
-      if (*step == kEnd) return;
+      if (*step == kEnd) return keep_factors(present_, k);
       if (*step == kOther) {
         find_other<kBegins>(code_.instructions[instruction], load(code_.instruction_numbers[instruction], chunk_), k);
         ++instruction;
         continue;
       }
       if (*step == kProducts) {
-        RowPart *const first = left(product), *const now = first + k * kPack, *const sums = sum(product);
+        const RowPart* const sums = sum(product);
         Pack a[kPack], b[kPack], found[kPack];
         for (int i = 0; i < kPack; ++i) a[i] = present_[operands[i]], b[i] = present_[operands[kPack + i]];
         for (int i = 0; i < kPack; ++i)
-          found[i] = sums[kBegins ? i : kPack + i] + (first[i] * b[i] + a[i] * first[kOfProducts + i]);
-        for (int i = 0; i < kPack; ++i) now[i] = a[i], now[kOfProducts + i] = b[i], out[i] = found[i];
-        if constexpr (kBegins)
-          for (int i = 0; i < kPack; ++i) sums[kPack + i] += first[kPack + i] * b[i] + a[i] * first[kOfProducts + kPack + i];
+          found[i] = sums[kBegins ? i : kPack + i] + (zero_[operands[i]] * b[i] + a[i] * zero_[operands[kPack + i]]);
+        if constexpr (kBegins) {
+          const int *l = slots_of_pack(product / kPack), *r = l + kPack;
+          const RowPart* const one = factors_of(1);
+          for (int i = 0; i < kPack; ++i) odd_sum(product + i) += one[l[i]] * b[i] + a[i] * one[r[i]];
+        }
+        for (int i = 0; i < kPack; ++i) out[i] = found[i];
         operands += 2 * kPack, product += kPack;
       } else {
         const int terms = *step - kSums;
@@ -202,39 +219,41 @@ class RecordedLanes {
   template <bool kBegins>
   void find_other(const LaneInstruction& in, Pack number, int k) const {
     const Pack order = spread(k), a = present_[in.a];
-    const RowPart* const first = left(in.product);
-    const auto right_first = [&](int i) { return Pack(left(in.product + i)[kOfProducts]); };
-    const auto put = [&](int i, Pack a_k, Pack b_k) {
-      RowPart* const factors = left(in.product + i);
-      factors[k * kPack] = a_k, factors[kOfProducts + k * kPack] = b_k;
-      if constexpr (kBegins) *(sum(in.product + i) + kPack) += factors[kPack] * b_k + a_k * factors[kOfProducts + kPack];
+    // The factors of order 0 of its products, and what is known of their sums.
+    const auto left_first = [&](int i) { return Pack(factors_of(0)[left(in.product + i)]); };
+    const auto right_first = [&](int i) { return Pack(factors_of(0)[right(in.product + i)]); };
+    const auto inner = [&](int i) { return Pack(sum(in.product + i)[kBegins ? 0 : kPack]); };
+    const auto put = [&](int i, Pack of_left, Pack of_right) {
+      const int product = in.product + i;
+      put_factors(product, k, of_left, of_right);
+      if constexpr (kBegins)
+        odd_sum(product) += factors_of(1)[left(product)] * of_right + of_left * factors_of(1)[right(product)];
     };
-    const auto inner_of = [&](int i) { return Pack(*(sum(in.product + i) + (kBegins ? 0 : kPack))); };
     switch (in.kind) {
       case kQuotient: {
         const Pack b = present_[in.b];
-        const Pack out = (a - (first[0] * b + inner_of(0))) / right_first(0);
+        const Pack out = (a - (left_first(0) * b + inner(0))) / right_first(0);
         present_[in.out] = out;
         put(0, out, b);
         break;
       }
       case kSquareRoot: {
-        const Pack root = first[0], out = (a - inner_of(0)) / (root + root);
+        const Pack root = left_first(0), out = (a - inner(0)) / (root + root);
         present_[in.out] = out;
         put(0, out, out);
         break;
       }
       case kPower: {
-        const Pack slope = inner_of(0) + order * a * right_first(0);
-        const Pack out = (number * slope - inner_of(1)) / (order * Pack(left(in.product + 1)[0]));
+        const Pack slope = inner(0) + order * a * right_first(0);
+        const Pack out = (number * slope - inner(1)) / (order * left_first(1));
         present_[in.out] = out;
         put(0, order * a, out), put(1, a, order * out);
         break;
       }
       case kSine: {
         const Pack rate = order * a;
-        const Pack sine = (inner_of(0) + rate * right_first(0)) / order;
-        const Pack cosine = -(inner_of(1) + rate * right_first(1)) / order;
+        const Pack sine = (inner(0) + rate * right_first(0)) / order;
+        const Pack cosine = -(inner(1) + rate * right_first(1)) / order;
         present_[in.out] = sine, present_[in.out + 1] = cosine;
         put(0, rate, cosine), put(1, rate, sine);
         break;
@@ -245,7 +264,7 @@ class RecordedLanes {
 
   LaneCode& code_;
   int chunk_;
-  RowPart *zero_, *present_, *factors_, *products_, *sums_;
+  RowPart *zero_, *present_, *factors_, *history_, *sums_;
 };
 
 }  // namespace
