@@ -20,13 +20,13 @@ struct LanePoint {
   IntegrationOptions options;
   std::string reason;
 };
-/// What points side by side must share: whether their equations are recorded, form, tolerance and step limit.
-using Shared = std::tuple<bool, ModelForm, double, std::int64_t>;
+/// What points side by side must share: whether their equations are recorded, whether they are those of a wheel in a gimbal, form,
+/// tolerance and step limit.
+using Shared = std::tuple<bool, bool, ModelForm, double, std::int64_t>;
 
 /// Whether the equations of a scene that is not plain can be recorded for lanes: a motion on a pivot that is smooth from the release on.
 bool can_be_recorded(const Scene& scene) {
-  const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
-  return !scene.support().has_contact && applied.coulomb_N_m == 0 && !applied.gimbal &&
+  return !scene.support().has_contact && scene.scenario().effects.applied.coulomb_N_m == 0 &&
          scene.problem_without_rows<double>().model.kind == SceneKind::full;
 }
 
@@ -147,7 +147,8 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
         if (fits_lanes(scene)) {
           scene.require_affordable();
           LanePoint point = lane_point(i, scene);
-          const Shared shared{!scene.is_plain(), point.options.form, point.options.relative_tolerance,
+          const Model<double>& model = scene.problem_without_rows<double>().model;
+          const Shared shared{!scene.is_plain(), is_compass(model), point.options.form, point.options.relative_tolerance,
                               point.options.step_limit};
           lanes[shared].push_back(std::move(point));
           continue;

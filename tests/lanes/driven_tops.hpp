@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/model/reduced_top.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "support/effect_scenes.hpp"
 #include "support/scenes.hpp"
 
 namespace earthtop::testing {
@@ -19,7 +21,7 @@ inline std::vector<Scenario> driven_tops(std::size_t count, double radians) {
     // A fifth of the rate is lost.
     const double lost = 0.2 * s.body.inertia_kg_m2[2][2] / s.duration_s;
     AppliedTorquesSpec& applied = s.effects.applied;
-    switch (i / 2 % 7) {
+    switch (i / 2 % 8) {
       case 0: applied.viscous_N_m_s = lost; break;
       case 1: applied.quadratic_N_m_s2 = lost * s.duration_s / radians; break;
       case 2: applied.gravity_gradient = GravityGradientSpec{GradientField::given, 5}; break;
@@ -33,15 +35,21 @@ inline std::vector<Scenario> driven_tops(std::size_t count, double radians) {
         applied.viscous_N_m_s = lost;  // which rubs on the platform
         break;
       case 5: s.platform = PlatformSpec{PlatformMotion::ramp, {0, 0, 1}, 0.05, 0.75, 0, 0, 0, {0.3, 0.1, 0}}; break;
-      default: applied.air_drag.emplace().disc_radius_m = 0.02;
+      case 6: applied.air_drag.emplace().disc_radius_m = 0.02; break;
+      default:  // a wheel in a gimbal, and an asymmetric one
+        s = gyrocompass(s.site.latitude_deg, 10 + static_cast<double>(i), 1e-5);
+        s.numerics.method = Method::taylor;
+        if (i % 2 == 0) set_principal(s.body, 5e-4, 6e-4, 1e-3);
+        s.duration_s = 5 * radians / s.release.spin_rad_s, s.output_step_s = s.duration_s / 100;
     }
     // A drag that brakes a rate to zero has no series.
-    if (Scene(s).method_refusal()) applied = {.viscous_N_m_s = lost};
+    if (!applied.gimbal && Scene(s).method_refusal()) applied = {.viscous_N_m_s = lost};
   }
   return scenes;
 }
 
-/// The drifts of driven tops, and the options of their integration: of the symmetric ones without the spin, or of the others.
+/// The drifts of driven tops, and the options of their integration: of the symmetric ones without the spin, of wheels in a gimbal, or of
+/// the others.
 struct DrivenDrifts {
   std::vector<DriftProblem<double>> problems;
   IntegrationOptions options;
@@ -52,13 +60,13 @@ inline std::vector<DrivenDrifts> driven_drifts(std::size_t count, double toleran
     made.method = Method::taylor, made.form = form, made.observer = observer, made.relative_tolerance = tolerance;
     return made;
   };
-  std::vector<DrivenDrifts> all{{{}, options(ModelForm::reduced, Observer::laboratory)},
-                                {{}, options(ModelForm::reduced, Observer::inertial)},
-                                {{}, options(ModelForm::general, Observer::body)},
-                                {{}, options(ModelForm::general, Observer::inertial)}};
+  std::vector<DrivenDrifts> all{
+      {{}, options(ModelForm::reduced, Observer::laboratory)}, {{}, options(ModelForm::reduced, Observer::inertial)},
+      {{}, options(ModelForm::reduced, Observer::laboratory)}, {{}, options(ModelForm::reduced, Observer::inertial)},
+      {{}, options(ModelForm::general, Observer::body)},       {{}, options(ModelForm::general, Observer::inertial)}};
   for (const Scenario& scenario : driven_tops(count, 40)) {
     const Scene scene(scenario);
-    const std::size_t first = scene.is_reducible_when_driven() ? 0 : 2;
+    const std::size_t first = is_compass(scene.problem<double>().model) ? 2 : scene.is_reducible_when_driven() ? 0 : 4;
     for (const std::size_t of : {first, first + 1}) all[of].problems.push_back(scene.problem<double>());
   }
   return all;

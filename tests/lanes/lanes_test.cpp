@@ -384,7 +384,7 @@ TEST(DriftLanes, LeaveTroubleWhereItIs) {
 }
 
 TEST(RecordedLanes, HaveBitsOfTheirOwn) {
-  for (const auto& [problems, options] : testing::driven_drifts(42, kTolerance)) expect_own_drift_bits(problems, options);
+  for (const auto& [problems, options] : testing::driven_drifts(48, kTolerance)) expect_own_drift_bits(problems, options);
 }
 
 TEST(DriftLanes, StopWhenAsked) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "drift/lanes/general_drift_kernels.hpp"
 #include "drift/lanes/recorded_drift_kernels.hpp"
 #include "drift/lanes/spherical_top_drift.hpp"
+#include "drift/pivot/compass_drift.hpp"
 #include "drift/pivot/drift_system.hpp"
 #include "drift/pivot/driven_reduced_drift.hpp"
 #include "drift/release_rates.hpp"
@@ -201,17 +203,20 @@ class ComposedDrift : public DriftSystem<double, O, SceneKind::full, RotatingMot
   const DriftProblem<double>& problem_;
 };
 
-/// The drift of a symmetric top without its spin, with torques that do not depend on it, as recorded.
-template <Observer O>
-class DrivenDrift : public DrivenReducedDrift<double, O> {
+/// A drift without the spin, as recorded: of a symmetric top with torques that do not depend on it, or of a wheel in a gimbal.
+template <class Drift, int kVariablesOfIt>
+class SpinlessDrift : public Drift {
  public:
-  using Base = DrivenReducedDrift<double, O>;
-  static constexpr int kVariables = lanes::kDrivenDriftVariables;
-  static_assert(lanes::are_groups_of<Base>(lanes::kDrivenDriftGroups));
-
-  explicit DrivenDrift(const DriftProblem<double>& problem) : Base(problem.model, problem.natural_release()) {}
+  static constexpr int kVariables = kVariablesOfIt;
+  explicit SpinlessDrift(const DriftProblem<double>& problem) : Drift(problem.model, problem.natural_release()) {}
   taylor::Operations<double> record() const { return record_spinless<double>(this->equations(), this->initial_state(), 0); }
 };
+template <Observer O>
+using DrivenDrift = SpinlessDrift<DrivenReducedDrift<double, O>, lanes::kDrivenDriftVariables>;
+template <Observer O>
+using WheelDrift = SpinlessDrift<CompassDrift<double, O>, lanes::kCompassDriftVariables>;
+static_assert(lanes::are_groups_of<DrivenDrift<Observer::laboratory>>(lanes::kDrivenDriftGroups));
+static_assert(lanes::are_groups_of<WheelDrift<Observer::laboratory>>(lanes::kCompassDriftGroups));
 
 /// A point whose right-hand side is recorded as it is at the release. Where it branches otherwise later, the point leaves its lane.
 template <class Drift>
@@ -281,11 +286,15 @@ std::vector<DriftTrajectory<double>> integrate_recorded(std::span<const DriftPro
       return integrate_recorded<ComposedDrift<Observer::body>>(kernel, width, problems, options, watch);
     throw std::logic_error("the general form in lanes has no laboratory axes");
   }
+  if (options.observer == Observer::body) throw std::logic_error("the reduced form has no body axes");
+  if (is_compass(problems.front().model)) {
+    const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kCompassDrift);
+    return is_inertial ? integrate_recorded<WheelDrift<Observer::inertial>>(kernel, width, problems, options, watch)
+                       : integrate_recorded<WheelDrift<Observer::laboratory>>(kernel, width, problems, options, watch);
+  }
   const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kDrivenDrift);
-  if (is_inertial) return integrate_recorded<DrivenDrift<Observer::inertial>>(kernel, width, problems, options, watch);
-  if (options.observer == Observer::laboratory)
-    return integrate_recorded<DrivenDrift<Observer::laboratory>>(kernel, width, problems, options, watch);
-  throw std::logic_error("the reduced form has no body axes");
+  return is_inertial ? integrate_recorded<DrivenDrift<Observer::inertial>>(kernel, width, problems, options, watch)
+                     : integrate_recorded<DrivenDrift<Observer::laboratory>>(kernel, width, problems, options, watch);
 }
 
 std::vector<DriftTrajectory<double>> integrate_general(std::span<const DriftProblem<double>> problems,
@@ -304,9 +313,13 @@ std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const Dr
                                                               const IntegrationOptions& options, const Watch& watch,
                                                               std::optional<InstructionSet> set) {
   const InstructionSet taken = lanes::available(set);
-  const auto recorded = std::ranges::count_if(problems, is_recorded);
-  if (recorded != 0 && recorded != std::ssize(problems)) throw std::logic_error("problems side by side must be of one kind");
-  if (recorded != 0) return integrate_recorded(problems, options, watch, taken);
+  if (problems.empty()) return {};
+  const auto kind = [](const DriftProblem<double>& problem) {
+    return std::pair(is_recorded(problem), is_compass(problem.model));
+  };
+  if (std::ranges::adjacent_find(problems, std::ranges::not_equal_to{}, kind) != problems.end())
+    throw std::logic_error("problems side by side must be of one kind");
+  if (is_recorded(problems.front())) return integrate_recorded(problems, options, watch, taken);
   if (options.form == ModelForm::general) return integrate_general(problems, options, watch, taken);
   switch (options.observer) {
     case Observer::laboratory:

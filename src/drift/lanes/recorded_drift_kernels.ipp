@@ -12,6 +12,10 @@ struct DrivenDriftLanes {
   static constexpr int kVariables = kDrivenDriftVariables, kGroupCount = 7;
   static constexpr const Group* kGroups = kDrivenDriftGroups;
 };
+struct CompassDriftLanes {
+  static constexpr int kVariables = kCompassDriftVariables, kGroupCount = 8;
+  static constexpr const Group* kGroups = kCompassDriftGroups;
+};
 struct ComposedDriftLanes {
   static constexpr int kVariables = kComposedDriftVariables, kGroupCount = 4;
   static constexpr const Group* kGroups = kComposedDriftGroups;
@@ -24,6 +28,8 @@ struct ComposedDriftLanes {
   namespace earthtop::lanes {                                                           \
   const Kernel kDrivenDrift_##set{step_block<RecordedLanes<DrivenDriftLanes>>,          \
                                   evaluate_block<RecordedLanes<DrivenDriftLanes>>};     \
+  const Kernel kCompassDrift_##set{step_block<RecordedLanes<CompassDriftLanes>>,        \
+                                   evaluate_block<RecordedLanes<CompassDriftLanes>>};   \
   const Kernel kComposedDrift_##set{step_block<RecordedLanes<ComposedDriftLanes>>,      \
                                     evaluate_block<RecordedLanes<ComposedDriftLanes>>}; \
   }

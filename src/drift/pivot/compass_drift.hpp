@@ -34,6 +34,7 @@ class CompassDrift : public WithSeries<RecordedSeries<T, CompassShape::kSize>> {
     equations_ = {model, reduced_top(model), east, north, w3, w3 - spin_};
   }
 
+  const CompassEquations<T, O>& equations() const { return equations_; }
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
   RecordedSeries<T, kSize> series() const {
     return RecordedSeries<T, kSize>([this](const State& x, T t) { return record_spinless<T>(equations_, x, t); });

@@ -12,7 +12,7 @@ namespace earthtop::lanes {
 inline constexpr int kLanes = 8;
 /// The highest order of a series.
 inline constexpr int kMostOrder = 32;
-inline constexpr int kMostVariables = 24, kMostStored = 48, kMostConstants = 24, kMostGroups = 7;
+inline constexpr int kMostVariables = 24, kMostStored = 48, kMostConstants = 24, kMostGroups = 8;
 
 /// Components of a state that the step control measures together, like `ComponentGroup`. `turns` marks unit vectors and
 /// quaternions, whose change is an angle.
