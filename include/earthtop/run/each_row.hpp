@@ -24,6 +24,7 @@ std::size_t row_count(const RunResult& result);
 
 /// Visits all rows in the order of time. Rows that the result does not hold are integrated now; their bound is that of the run's next
 /// look for judgement, and the last digits of their numbers may differ from those of a run that holds all.
+/// One thread at a time may visit a result and its copies.
 /// @param watch  gets the progress, and may end the visits early
 /// @throws std::runtime_error if the motion cannot be integrated once more, though the run could
 void each_row(const RunResult& result, const std::function<void(const DriftRow&)>& visit, const Watch& watch = {});
