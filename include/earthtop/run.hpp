@@ -239,6 +239,7 @@ struct RunResult {
   std::optional<ContactReport> contact;  ///< present for a top on a table
   IntegrationReport solution;            ///< the integration that gives the rows
   IntegrationReport certificate;         ///< the second integration, whose distance to the rows gives the bounds
+  double looks_seconds = 0;              ///< time of the integrations for `looks` and largest values, besides the two (s)
   double attitude_bound_rad = 0;         ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;

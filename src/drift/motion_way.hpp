@@ -25,6 +25,7 @@ class MotionWay {
   /// The times (s) of an integration's rows and looks at which it leaves stops; ascending. Rows must not be among them: what is said of the
   /// whole motion does not depend on them. An integration for looks leaves stops wherever they are far enough apart.
   std::vector<double> leave_at_s;
+  double looked_seconds = 0;  ///< time that looks have taken
   /// The stops of one kind of integration, which has a type of its own for them.
   template <class Stops>
   Stops& stops() {

@@ -17,7 +17,7 @@ namespace earthtop::input {
 inline constexpr std::size_t kMostDiagnostics = 20;
 /// Number of findings kept for sorting. Rules go through the text from front to back, so the findings to be shown are among the
 /// first ones found. A hostile file can have many thousands; further ones are only counted.
-inline constexpr std::size_t kMostKept = 400;
+inline constexpr std::size_t kMostKept = 100;
 
 class Findings {
  public:

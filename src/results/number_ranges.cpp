@@ -60,6 +60,7 @@ constexpr auto kRangeRules = [] {
       {"seconds", not_negative},
       {"solution_s", not_negative},
       {"certificate_s", not_negative},
+      {"looks_s", not_negative},
       {"selection_s", not_negative},
       {"cost.reference", not_negative},
       {"cost.new", not_negative},

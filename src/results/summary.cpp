@@ -176,6 +176,7 @@ std::optional<DriftDigits> drift_digits(const RunResult& result) {
 std::string timing_json(const RunResult& result) {
   return dump({{"solution_s", result.solution.seconds},
                {"certificate_s", result.certificate.seconds},
+               {"looks_s", result.looks_seconds},
                {"selection_s", result.selection ? Json(result.selection->seconds) : Json()},
                {"written_utc", utc_now()},
                {"host", host_name()}});

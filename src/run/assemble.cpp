@@ -151,6 +151,7 @@ class Assembly {
       if (stops()) return stopped(scene_, made_, options_.partial);
     }
     add_notes();
+    result_.looks_seconds = made_.way->looked_seconds;
     keep_for_later_rows();
     return std::move(result_);
   }

@@ -108,6 +108,7 @@ LookSource source_of(const Scene& scene, const TwoIntegrations<T>& made, const W
     IntegrationOptions options = made.options;
     options.kick_steps = made.first.kick_steps;
     std::vector<ExtendedDriftRow> rows;
+    const LookTimer timer(*made.way);
     for (const BasicDriftRow<T>& row :
          rows_of(scene, made.first.contact_events, integrate_drift(problem, options, next()).samples))
       rows.push_back(row_cast<float128>(row));

@@ -152,6 +152,7 @@ DriftTrajectory<double> look_again(const Scene& scene, std::vector<double> times
     known.kick_steps = memory.kick_steps;
     memory.way->looked_by = options_for_looks(scene, known, looks, looks_aside(scene, problem.times_s));
   }
+  const LookTimer timer(*memory.way);
   return integrate_drift(problem, *memory.way->looked_by, watch);
 }
 

@@ -4,12 +4,14 @@
 /// the rows.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "drift/motion_way.hpp"
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "run/trend.hpp"
@@ -69,6 +71,19 @@ struct LookMemory {
   std::optional<KickSteps> kick_steps;  ///< that the run's first integration has found
   std::shared_ptr<MotionWay> way = new_way();
   static std::shared_ptr<MotionWay> new_way();
+};
+
+/// Adds the time until it is destroyed to that of looks.
+class LookTimer {
+ public:
+  explicit LookTimer(MotionWay& way) : way_(way), start_(std::chrono::steady_clock::now()) {}
+  ~LookTimer() { way_.looked_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  LookTimer(const LookTimer&) = delete;
+  LookTimer& operator=(const LookTimer&) = delete;
+
+ private:
+  MotionWay& way_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 /// The motion at other times, from an integration that is made for these looks, as options_for_looks has it (scene/parts.hpp).

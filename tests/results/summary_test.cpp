@@ -253,9 +253,12 @@ TEST(Summary, AnotherResultOtherBytes) {
 }
 
 TEST(Timing, HoldsWhatTheSummaryMustNot) {
-  const json timing = testing::parse_json(timing_json(made_up_run()));
+  RunResult result = made_up_run();
+  result.looks_seconds = 0.25;
+  const json timing = testing::parse_json(timing_json(result));
   EXPECT_EQ(timing.at("solution_s"), 0.125);
   EXPECT_EQ(timing.at("certificate_s"), 0.125);
+  EXPECT_EQ(timing.at("looks_s"), 0.25);
   EXPECT_EQ(timing.at("written_utc").get<std::string>().size(), 20U);
   EXPECT_FALSE(timing.at("host").get<std::string>().empty());
 }

@@ -141,6 +141,7 @@ TEST(Looks, AreEnoughToFindTheLargestValueOfManyPeriods) {
   s.duration_s = 120;
   const RunResult result = run(with_rows(s, 2));
   ASSERT_GT(result.looks_a_window, 0U);
+  EXPECT_GT(result.looks_seconds, 0);
   Scenario until = s;
   until.numerics.method = Method::taylor;
   until.duration_s = until.output_step_s = result.drift.axis_max_at_s;

@@ -442,9 +442,9 @@ def along_the_earth_s_axis(lever_m, duration_s):
 
 ANOTHER = [
     Case(RUN, 'long_horizon, which "auto" chooses here, was tried first: no drift by it can be trusted', scenario="fast-gyro",
-         set=along_the_earth_s_axis(1e-15, 300), unless={"/release/azimuth_deg": 90}),
+         set=along_the_earth_s_axis(1e-15, 100), unless={"/release/azimuth_deg": 90}),
     Case(RUN, "taylor was tried as well: no drift by it can be trusted either", scenario="fast-gyro",
-         set=along_the_earth_s_axis(1e-18, 30), unless={"/numerics": {"method": "long_horizon"}}),
+         set=along_the_earth_s_axis(1e-18, 80), unless={"/numerics": {"method": "long_horizon"}}),
 ]
 
 CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE + ANOTHER

@@ -139,7 +139,7 @@ COST = [
             holds=lambda text: numbers(text, "this scenario needs about # steps")[0] > 2e9),
     refused("at most one day is allowed; take a shorter duration, a slower spin, a looser tolerance or less precision",
             set={"/numerics/precision": "float128", "/motion/duration_s": 5e5, "/motion/output_step_s": 1e3},
-            unless={"/motion/duration_s": 2e5}, holds=lambda text: "in float128 this scenario needs about" in text),
+            unless={"/motion/duration_s": 5e4}, holds=lambda text: "in float128 this scenario needs about" in text),
 ]
 
 # The figures of the top. Its spins are in rad/s, m g l = 0.02942 N m.
