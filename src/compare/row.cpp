@@ -19,7 +19,7 @@ Table table_of(std::string_view file, const Quantities& quantities) {
   Table table{file, {}, {}};
   for (const RowQuantity& quantity : quantities) {
     table.measures.push_back({quantity.measure, quantity.kind, quantity.part, quantity.bound, quantity.effect,
-                              table.columns.size(), quantity.width(), quantity.column(0), quantity.words, quantity.of_contact});
+                              table.columns.size(), quantity.width(), quantity.column(0), quantity.words, quantity.owner});
     for (std::size_t i = 0; i < quantity.width(); ++i) table.columns.push_back(quantity.column(i));
   }
   if (table.columns.size() > Row::kMostColumns) throw std::logic_error("more columns than a row has room for");

@@ -18,7 +18,7 @@ using input::CellKind, input::CsvReader;
 
 /// A row: its time (s), and the cells of its table's columns in their order.
 struct Row {
-  static constexpr std::size_t kMostColumns = 48;
+  static constexpr std::size_t kMostColumns = 64;
   double t_s = 0;
   std::array<double, kMostColumns> value{};  // NaN where there is no number
   std::array<CellKind, kMostColumns> kind{};
@@ -36,7 +36,7 @@ struct Measure {
   std::size_t width;         ///< number of its columns
   std::string first_column;  ///< name of the first column
   std::string_view words;    ///< of a word: those it may be
-  bool of_contact;           ///< whether only the runs of a top on a table have it
+  RowOwner owner;            ///< which runs have it
 };
 
 /// The columns of a result file after the time, and the measures made of them.

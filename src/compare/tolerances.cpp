@@ -43,7 +43,7 @@ std::optional<Rule> regression_rule(const Measure& measure, bool same_computatio
   if (is_exact(measure)) return Rule{};
   if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRounding, 0, kSameOfRateBounds, ""};
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
-  if (measure.of_contact && measure.bound == BoundKind::none) return Rule{0, kContact, 0, 0, ""};
+  if (measure.owner == RowOwner::contact && measure.bound == BoundKind::none) return Rule{0, kContact, 0, 0, ""};
   switch (measure.kind) {
     case MeasureKind::attitude:
     case MeasureKind::direction: return Rule{kRoundingAngle, 0, 0, 1, ""};

@@ -60,7 +60,7 @@ void require_sound(const fs::path& candidate, const Watch& watch) {
     const auto rows = results.open_rows();
     for (std::size_t i = 0; i < trajectory_table().columns.size(); ++i)
       if (const Measure& measure = trajectory_table().measure_of(i);
-          !rows->has_column(i) && (!measure.of_contact || results.summary->contains("contact")))
+          !rows->has_column(i) && (measure.owner == RowOwner::every_top || results.summary->contains(name_of(measure.owner))))
         refuse_file(pair.candidate,
                     fmt::format("its trajectory.csv has no {}; run the scenario again", trajectory_table().columns[i]));
   }

@@ -29,6 +29,18 @@ DriftTrajectory<T> integrate_as(const DriftProblem<T>& problem, const Integratio
   return integrate_general<T, O, SceneKind::full, R>(problem, options, watch);
 }
 
+template <class T>
+DriftTrajectory<T> integrate_gyrostat(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  constexpr auto K = SceneKind::gyrostat;
+  constexpr auto R = RotatingMotion::composed;
+  switch (options.observer) {
+    case Observer::laboratory: return integrate_general<T, Observer::laboratory, K, R>(problem, options, watch);
+    case Observer::body: return integrate_general<T, Observer::body, K, R>(problem, options, watch);
+    case Observer::inertial: return integrate_general<T, Observer::inertial, K, R>(problem, options, watch);
+  }
+  throw std::logic_error("unknown observer");
+}
+
 template <class T, Observer O>
 DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const auto integrate = [&](auto&& system) {
@@ -51,6 +63,7 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
     else
       throw std::logic_error("long_horizon is built for double only");
   }
+  if (problem.model.kind == SceneKind::gyrostat) return integrate_gyrostat(problem, options, watch);
   const bool reduced = takes_reduced_form(problem.model, options), composed = options.method == Method::taylor;
   switch (options.observer) {
     case Observer::laboratory:

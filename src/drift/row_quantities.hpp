@@ -48,6 +48,22 @@ enum class RowPart {
   error       ///< an error bound, or whether the drift is reliable
 };
 
+/// The runs that have a quantity.
+enum class RowOwner {
+  every_top,
+  contact,  ///< those of a top on a table
+  rotor     ///< those of a gyrostat
+};
+/// The name of an owner: the key of a summary that has its part.
+constexpr std::string_view name_of(RowOwner owner) {
+  return owner == RowOwner::contact ? "contact" : owner == RowOwner::rotor ? "rotor" : "";
+}
+/// Whether a row has the quantities of an owner.
+template <class T>
+constexpr bool has_part(const BasicDriftRow<T>& row, RowOwner owner) {
+  return owner == RowOwner::every_top || (owner == RowOwner::contact ? row.contact.has_value() : row.rotor.has_value());
+}
+
 /// One quantity of a row: a number, or several that belong together.
 struct RowQuantity {
   std::string_view stem;     ///< the beginning of its columns' names, before the component: "w_LB_B" of w_LB_B_x_rad_s
@@ -59,7 +75,7 @@ struct RowQuantity {
   BoundKind bound = BoundKind::none;  ///< the error bound that applies to that difference
   std::string_view effect = "";       ///< the measure whose largest value is the Earth's effect on this quantity
   std::string_view words = "";        ///< of a word: those it may be, separated by '|', in the order of their numbers
-  bool of_contact = false;            ///< whether only the runs of a top on a table have it
+  RowOwner owner = RowOwner::every_top;
 
   /// The letters of its components; empty for a single number.
   constexpr std::string_view components() const {
@@ -206,7 +222,7 @@ constexpr void for_each_contact_quantity(const Visit& visit) {
   using enum RowPart;
   using Bound = BoundKind;
   const auto visit_one = [&](auto member, RowQuantity quantity) {
-    quantity.of_contact = true;
+    quantity.owner = RowOwner::contact;
     visit(member, quantity);
   };
   using Q = RowQuantity;
@@ -265,38 +281,103 @@ constexpr void for_each_contact_quantity(const Visit& visit) {
         "contact_state", Bound::none, "", "slide|roll|mixed"});
 }
 
+/// The quantities that follow in the runs of a gyrostat.
+/// @param visit  the same, but its function takes the part of a row on the rotor (BasicRotorRow of any scalar)
+template <class Visit>
+constexpr void for_each_rotor_quantity(const Visit& visit) {
+  using enum MeasureKind;
+  using enum RowPart;
+  using Bound = BoundKind;
+  const auto visit_one = [&](auto member, RowQuantity quantity) {
+    quantity.owner = RowOwner::rotor;
+    visit(member, quantity);
+  };
+  using Q = RowQuantity;
+  visit_one(
+      [](auto& r) -> auto& { return r.rate_rad_s; },
+      Q{"rotor_rate", "_rad_s", "rate of the rotor relative to the body, on the rotating Earth", number, rotating,
+        "rotor_rate_rad_s", Bound::none, "drift_rotor_rate_rad_s"});
+  visit_one(
+      [](auto& r) -> auto& { return r.angle_rad; },
+      Q{"rotor_angle", "_rad", "angle through which the rotor has turned in the body since the release, on the rotating Earth",
+        number, rotating, "rotor_angle_rad", Bound::none, "drift_rotor_angle_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.axis_L; },
+      Q{"rotor_axis_L", "", "axis of the rotor on the rotating Earth: East, North, Up", direction, rotating, "rotor_axis_rad",
+        Bound::attitude, "drift_rotor_axis_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.ref_rate_rad_s; },
+      Q{"ref_rotor_rate", "_rad_s", "rate of the rotor relative to the body in the non-rotating prediction", number, reference,
+        "ref_rotor_rate_rad_s", Bound::none, "drift_rotor_rate_rad_s"});
+  visit_one(
+      [](auto& r) -> auto& { return r.ref_angle_rad; },
+      Q{"ref_rotor_angle", "_rad", "angle of the rotor in the body in the non-rotating prediction", number, reference,
+        "ref_rotor_angle_rad", Bound::none, "drift_rotor_angle_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.ref_axis_L; },
+      Q{"ref_rotor_axis_L", "", "axis of the rotor in the non-rotating prediction: East, North, Up", direction, reference,
+        "ref_rotor_axis_rad", Bound::attitude, "drift_rotor_axis_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_rate_rad_s; },
+      Q{"drift_rotor_rate", "_rad_s", "rate of the rotor relative to the body, rotating minus prediction", number, drift,
+        "drift_rotor_rate_rad_s", Bound::none, "drift_rotor_rate_rad_s"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_angle_rad; },
+      Q{"drift_rotor_angle", "_rad", "angle of the rotor in the body, rotating minus prediction; continuous", number, drift,
+        "drift_rotor_angle_rad", Bound::none, "drift_rotor_angle_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_axis_rad; },
+      Q{"drift_rotor_axis", "_rad", "angle between the rotor's two axes", number, drift, "drift_rotor_axis_rad",
+        Bound::drift_attitude, "drift_rotor_axis_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_axis_bound_rad; },
+      Q{"drift_rotor_axis_bound", "_rad", "bound on the error of drift_rotor_axis_rad", number, error,
+        "drift_rotor_axis_bound_rad"});
+}
+
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
 
-/// A quantity's function for a row, from its function for the part on the contact. It gives none where the row has no such part.
-template <class Member>
-struct OfContact {
+/// A quantity's function for a row, from its function for a part of it. It gives none where the row has no such part.
+template <class Member, class Part>
+struct OfPart {
   template <class Row>
   constexpr auto operator()(const Row& row, std::size_t component) const
-      -> decltype(row_quantities_detail::component_of(Member{}(*row.contact), component)) {
-    if (!row.contact) return std::nullopt;
-    return row_quantities_detail::component_of(Member{}(*row.contact), component);
+      -> decltype(row_quantities_detail::component_of(Member{}(*Part::of(row)), component)) {
+    if (!Part::of(row)) return std::nullopt;
+    return row_quantities_detail::component_of(Member{}(*Part::of(row)), component);
   }
 };
+struct ContactPart {
+  static constexpr const auto& of(const auto& row) { return row.contact; }
+};
+struct RotorPart {
+  static constexpr const auto& of(const auto& row) { return row.rotor; }
+};
+/// Makes a table entry of a quantity of a part.
+template <class Read>
+constexpr DriftQuantity read_by(const RowQuantity& quantity) {
+  return {quantity, [](const DriftRow& row, std::size_t component) -> std::optional<double> { return Read{}(row, component); },
+          [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
+}
 
-/// The quantities of trajectory.csv as an array, in the same order; those of the contact come last.
+/// The quantities of trajectory.csv as an array, in the same order; those of the contact and of a rotor come last.
 inline constexpr auto kDriftQuantities = [] {
   constexpr std::size_t kCount = [] {
     std::size_t count = 0;
     const auto one_more = [&](auto, const RowQuantity&) { ++count; };
     for_each_drift_quantity(one_more);
     for_each_contact_quantity(one_more);
+    for_each_rotor_quantity(one_more);
     return count;
   }();
   std::array<DriftQuantity, kCount> all{};
   std::size_t i = 0;
   for_each_drift_quantity(
       [&](auto member, const RowQuantity& quantity) { all[i++] = valued<DriftRow, ExtendedDriftRow>(quantity, member); });
-  for_each_contact_quantity([&](auto member, const RowQuantity& quantity) {
-    using Read = OfContact<decltype(member)>;
-    all[i++] = {
-        quantity, [](const DriftRow& row, std::size_t component) -> std::optional<double> { return Read{}(row, component); },
-        [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
-  });
+  for_each_contact_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), ContactPart>>(quantity); });
+  for_each_rotor_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), RotorPart>>(quantity); });
   return all;
 }();
 

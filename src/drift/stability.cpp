@@ -102,7 +102,9 @@ bool is_integrable(const MotionProblem<double>& problem) {
 std::optional<StandingTop> standing_top(const Model<double>& model, const Quaternion<double>& q_LB,
                                         const Vec3<double>& w_IB_B) {
   const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
-  if (axis < 0 || is_free(model) || model.applied.level_axis || norm(model.platform.pivot_offset_P) > 0) return std::nullopt;
+  if (axis < 0 || model.kind == SceneKind::gyrostat || is_free(model) || model.applied.level_axis ||
+      norm(model.platform.pivot_offset_P) > 0)
+    return std::nullopt;
   const double mgl = model.mass_moment_B[axis] * norm(model.apparent_gravity_L);
   const Vec3<double> n_L = rotation_matrix(q_LB).col(axis);
   const double I1 = model.I_BP_B((axis + 1) % 3, (axis + 1) % 3), momentum = model.I_BP_B(axis, axis) * w_IB_B[axis];

@@ -56,6 +56,14 @@ DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_
       }
       summary.tip_bound_m = std::max(summary.tip_bound_m.value_or(0), tip->drift_tip_bound_m);
     }
+    if (const auto& rotor = row.rotor) {
+      summary.rotor_axis_final_rad = rotor->drift_axis_rad;
+      if (!summary.rotor_axis_max_rad || rotor->drift_axis_rad > *summary.rotor_axis_max_rad) {
+        summary.rotor_axis_max_rad = rotor->drift_axis_rad, summary.rotor_axis_max_at_s = row.t_s;
+        summary.rotor_axis_max_bound_rad = rotor->drift_axis_bound_rad;
+      }
+      summary.rotor_axis_bound_rad = std::max(summary.rotor_axis_bound_rad.value_or(0), rotor->drift_axis_bound_rad);
+    }
   }
   const DriftRow& last = rows.back();
   summary.axis_final_rad = last.drift_axis_rad;

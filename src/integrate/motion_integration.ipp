@@ -59,6 +59,8 @@ MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const Inte
     else
       throw std::logic_error("long_horizon is built for double only");
   }
+  if (problem.model.kind == SceneKind::gyrostat)
+    return integrate_motion_of<T, GeneralMotionSystem<T, Observer::body, SceneKind::gyrostat>>(problem, options, watch);
   const bool reduced = takes_reduced_form(is_reducible(problem.model), options);
   // In scenes that are not plain only the general form in body axes has a series.
   if (options.method == Method::taylor && problem.model.kind != SceneKind::plain)

@@ -34,21 +34,30 @@ struct WithSeries {
 };
 struct WithoutSeries {};
 
-/// The shape of a state: attitude and rate.
+/// The shape of a state: attitude and rate, and with a rotor its momentum about its axis.
+template <SceneKind K>
 struct GeneralMotionShape {
-  static constexpr std::size_t kSize = 7;
-  static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 4, 1.0}, {4, 3, 1e-3}}}; }
+  static constexpr std::size_t kSize = K == SceneKind::gyrostat ? 8 : 7;
+  static constexpr auto groups() {
+    constexpr std::array<ComponentGroup, 3> all{{{0, 4, 1.0}, {4, 3, 1e-3}, {7, 1, 1e-3}}};
+    if constexpr (K == SceneKind::gyrostat)
+      return all;
+    else
+      return std::array<ComponentGroup, 2>{all[0], all[1]};
+  }
 };
 
 /// Any body's motion. The state is the attitude q (4), then the observer's rate variable (3): an angular momentum or, in body
-/// axes, the inertial rate.
+/// axes, the inertial rate. With a rotor (rotor.hpp) its momentum h about its axis follows.
 template <class T, Observer O, SceneKind K>
 class GeneralMotionSystem
     : public std::conditional_t<O != Observer::body, WithoutSeries,
                                 std::conditional_t<K == SceneKind::plain, WithSeries<GeneralMotionSeries<T>>,
-                                                   WithSeries<RecordedSeries<T, GeneralMotionShape::kSize>>>> {
+                                                   WithSeries<RecordedSeries<T, GeneralMotionShape<K>::kSize>>>> {
  public:
-  using Shape = GeneralMotionShape;
+  static constexpr bool kGyrostat = K == SceneKind::gyrostat;
+  static_assert(!kGyrostat || O == Observer::body, "a gyrostat's single motion has body axes only");
+  using Shape = GeneralMotionShape<K>;
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
   explicit GeneralMotionSystem(const MotionProblem<T>& problem) : problem_(problem), model_(problem.model) {}
@@ -60,12 +69,13 @@ class GeneralMotionSystem
     if constexpr (O == Observer::laboratory)
       rate = laboratory_equation(model_, motion, field_L, non_inertial_torque<K>(model_, motion));
     else if constexpr (O == Observer::body)
-      rate = body_equation<true, K>(model_, motion, field_L);
+      rate = body_equation<true, K>(model_, motion, field_L, inside(x, t));
     else
       rate = inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t)));
-    if constexpr (K == SceneKind::full)
+    if constexpr (K != SceneKind::plain)
       if (model_.applied.any) rate.m += applied_share(motion, t);
     store(rate, dxdt);
+    if constexpr (kGyrostat) dxdt[7] = inside(x, t).torque;
   }
 
   auto series() const {
@@ -89,6 +99,8 @@ class GeneralMotionSystem
       store({q_LB, w_IB_B}, x);
     else
       store({q_LB, R_LB * (model_.I_BP_B * w_IB_B)}, x);
+    // The rate of a rotor relative to the body is given.
+    if constexpr (kGyrostat) x[7] = model_.rotor.axial * (model_.rotor.axis_B.dot(w_IB_B) + model_.rotor.spin);
     return x;
   }
 
@@ -122,6 +134,12 @@ class GeneralMotionSystem
     if constexpr (O != Observer::laboratory) s.w_LB_B -= transposed_times(R_LB, model_.W_IL_L);
     return s;
   }
+  auto inside([[maybe_unused]] const State& x, [[maybe_unused]] T t) const {
+    if constexpr (kGyrostat)
+      return rotor_inside(model_.rotor, x[7], t, [&](const Vec3<T>&) { return load(x).m; });
+    else
+      return NothingInside{};
+  }
   /// The contribution of the applied torques to the time derivative of the observer's rate variable.
   [[gnu::noinline]] Vec3<T> applied_share(const Motion<T>& motion, T t) const {
     const MotionSample<T> seen = seen_in_laboratory(motion, t);
@@ -132,7 +150,11 @@ class GeneralMotionSystem
       return times(rotation_matrix(motion.q), torque_B);
   }
   static Motion<T> load(const State& x) { return {{x[0], {x[1], x[2], x[3]}}, {x[4], x[5], x[6]}}; }
-  static void store(const Motion<T>& m, State& x) { x = {m.q.w, m.q.v[0], m.q.v[1], m.q.v[2], m.m[0], m.m[1], m.m[2]}; }
+  static void store(const Motion<T>& m, State& x) {
+    x[0] = m.q.w;
+    store_vector(m.q.v, x, 1);
+    store_vector(m.m, x, 4);
+  }
   Quaternion<T> turn(T t) const { return laboratory_turn(model_, t).quaternion(model_.epsilon); }
 
   const MotionProblem<T>& problem_;

@@ -65,11 +65,7 @@ Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad
   const bool weighed = weights.coriolis != T(1) || weights.transverse != T(1) || weights.centrifugal != T(1);
   if (platform != nullptr) {
     model.platform = *platform;
-    PrescribedMotion<T>& turn = model.platform.turn;
-    turn.rate = units.rate_from_rad_s(turn.rate);
-    turn.acceleration = real::scale(turn.acceleration, 2 * units.time_exponent);
-    turn.frequency = units.rate_from_rad_s(turn.frequency);
-    if (turn.table) turn.table = std::make_shared<const AngleSpline<T>>(turn.table->in_time_units(units.time_exponent));
+    model.platform.turn = in_time_units(platform->turn, units.time_exponent);
   }
   model.kind = weighed || platform != nullptr ? SceneKind::full : SceneKind::plain;
   return model;

@@ -226,8 +226,9 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
     if (!rows->has_column(column(needed)))
       refuse_file(directory, fmt::format("its trajectory.csv has no {}; run the scenario again", needed));
   const auto& measures = compare::trajectory_table().measures;
-  run.has_contact = std::all_of(measures.begin(), measures.end(),
-                                [&](const compare::Measure& measure) { return !measure.of_contact || rows->has(measure); });
+  run.has_contact = std::all_of(measures.begin(), measures.end(), [&](const compare::Measure& measure) {
+    return measure.owner != RowOwner::contact || rows->has(measure);
+  });
   run.listed.rows = thinned_rows(*rows, run.results.stated_rows.value_or(0), watch);
   if (!run.listed.rows.empty()) run.time = time_unit(run.listed.rows.back().t_s);
   see_motion(run);

@@ -29,7 +29,7 @@ Row row_of(const DriftRow& look, bool is_reliable) {
   const std::vector<Column>& columns = trajectory_columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     std::optional<double> number;
-    if (!columns[i].quantity->of_contact || look.contact) number = columns[i].value(look);
+    if (has_part(look, columns[i].quantity->owner)) number = columns[i].value(look);
     row.kind[i] = !number ? CellKind::empty : std::isfinite(*number) ? CellKind::number : CellKind::not_finite;
     row.value[i] = row.kind[i] == CellKind::number ? *number : kNoNumber;
   }

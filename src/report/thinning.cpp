@@ -61,7 +61,7 @@ std::vector<Row> thinned_rows(compare::RowSource& rows, std::uint64_t count, con
   std::vector<std::size_t> watched;
   for (const std::string_view name : {"drift_axis_rad", "drift_azimuth_rad", "drift_tilt_rad", "drift_tip_m", "slip_m_s"}) {
     const std::size_t column = *table.find(name);
-    if (rows.has_column(column) || !table.measure_of(column).of_contact) watched.push_back(column);
+    if (rows.has_column(column) || table.measure_of(column).owner == RowOwner::every_top) watched.push_back(column);
   }
   const auto span_of = [&](std::uint64_t row) { return count <= kAllUpTo ? row : row * kSpans / count; };
   std::vector<Row> kept;

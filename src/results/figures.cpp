@@ -47,6 +47,12 @@ Json if_there(const std::optional<double>& other, const T& value) {
 Json of_contact(R r, const std::optional<double>& value) {
   return r.scene.support().has_contact || r.contact ? json_from(value) : kLeftOut;
 }
+/// A number of the rotor on the rotating Earth at the release, or in the last row.
+std::optional<double> of_rotor_row(R r, bool last, double BasicRotorRow<double>::*member) {
+  if (r.rows.empty()) return std::nullopt;
+  const auto& rotor = (last ? r.rows.back() : r.rows.front()).rotor;
+  return rotor ? std::optional((*rotor).*member) : std::nullopt;
+}
 /// A component of the tip's drift at the end.
 std::optional<double> tip_final(R r, std::size_t component) {
   if (r.rows.empty() || !r.rows.back().contact) return std::nullopt;
@@ -131,6 +137,16 @@ constexpr auto kDriftMembers = [] {
       told("drift.tip_max_at_s", kFromRows, kTimeOfLargest, [](R r) { return of_contact(r, r.drift.tip_max_at_s); }),
       told("drift.tip_max_bound_m", kFromRows, kIsBounded, [](R r) { return of_contact(r, r.drift.tip_max_bound_m); }),
       compared("drift.tip_bound_m", error, rows, kAtEnd, [](R r) { return of_contact(r, r.drift.tip_bound_m); }),
+      of_last_row("drift_rotor_axis_rad", compared("drift.rotor_axis_final_rad", drift_axis, end, kAtEnd,
+                                                   [](R r) { return of_a_rotor(r, r.drift.rotor_axis_final_rad); })),
+      compared("drift.rotor_axis_max_rad", drift_axis, motion, kFromRows,
+               [](R r) { return of_a_rotor(r, r.drift.rotor_axis_max_rad); }),
+      told("drift.rotor_axis_max_at_s", kFromRows, kTimeOfLargest,
+           [](R r) { return of_a_rotor(r, r.drift.rotor_axis_max_at_s); }),
+      told("drift.rotor_axis_max_bound_rad", kFromRows, kIsBounded,
+           [](R r) { return of_a_rotor(r, r.drift.rotor_axis_max_bound_rad); }),
+      compared("drift.rotor_axis_bound_rad", error, rows, kAtEnd,
+               [](R r) { return of_a_rotor(r, r.drift.rotor_axis_bound_rad); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
                [](R r) { return r.drift.axis_final_over_earth_angle; }),
       compared("drift.verdict", outcome, span, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),
@@ -202,6 +218,14 @@ constexpr auto kDriftMembers = [] {
           "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).axis_L; }, vector),
       compared(
           "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).ref_axis_L; }, vector),
+      // The rotor of a gyrostat, on the rotating Earth: its rate relative to the body, its angle and its momentum about its axis.
+      object_or_nothing("rotor", [](R r) { return !r.rows.empty() && r.rows.front().rotor; }),
+      compared("rotor.rate_initial_rad_s", derived, any, kAtEnd,
+               [](R r) { return of_rotor_row(r, false, &BasicRotorRow<double>::rate_rad_s); }),
+      compared("rotor.rate_final_rad_s", derived, end, kAtEnd,
+               [](R r) { return of_rotor_row(r, true, &BasicRotorRow<double>::rate_rad_s); }),
+      compared("rotor.angle_final_rad", derived, end, kAtEnd,
+               [](R r) { return of_rotor_row(r, true, &BasicRotorRow<double>::angle_rad); }),
       of_rows(object("growth_of_disturbances")),
       compared("growth_of_disturbances.lyapunov_exponent_1_s", time, span, kAtEnd,
                [](R r) { return r.verdict.lyapunov_exponent_1_s; }),

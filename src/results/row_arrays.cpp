@@ -58,6 +58,11 @@ std::vector<RowArray> arrays_of(const std::vector<DriftRow>& rows) {
       const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.contact); };
       arrays.push_back(array_of(rows, quantity, of_row));
     });
+  if (!rows.empty() && rows.front().rotor)
+    for_each_rotor_quantity([&](auto member, const RowQuantity& quantity) {
+      const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.rotor); };
+      arrays.push_back(array_of(rows, quantity, of_row));
+    });
   return arrays;
 }
 

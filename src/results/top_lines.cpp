@@ -40,6 +40,9 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
   if (top.critical_spin_rad_s && top.spin_over_critical)
     spin += fmt::format(", {:.4g} times the critical spin of {}", *top.spin_over_critical, in_rpm(*top.critical_spin_rad_s));
   lines.emplace_back("spin", spin);
+  if (top.rotor_spin_rad_s && top.rotor_momentum_kg_m2_s)
+    lines.emplace_back("rotor", fmt::format("{} relative to the body, momentum {:.6g} kg m²/s", in_rpm(*top.rotor_spin_rad_s),
+                                            *top.rotor_momentum_kg_m2_s));
   if (top.rim_speed_m_s) lines.emplace_back("rim speed", fmt::format("{:.4g} m/s", *top.rim_speed_m_s));
   if (top.mean_precession_rad_s)
     lines.emplace_back("precession", precession(*top.mean_precession_rad_s) + "; mean of this release");

@@ -12,6 +12,11 @@ inline Json to_word(const std::optional<NutationKind>& kind) {
   return *kind == NutationKind::of_release ? "of_release" : "small_amplitude";
 }
 
+/// A value that only a gyrostat has; left out for others.
+inline Json of_a_rotor(R r, const std::optional<double>& value) {
+  return r.scene.scenario().rotor ? json_from(value) : kLeftOut;
+}
+
 inline constexpr auto kTopMembers = [] {
   using enum FigureKind;
   using enum FigureScope;
@@ -29,6 +34,10 @@ inline constexpr auto kTopMembers = [] {
           "top.moments_about_center_kg_m2", input, any, kAtEnd, [](R r) { return r.scene.top().moments_about_center_kg_m2; },
           vector)),
       of_scenario(compared("top.spin_rad_s", input, any, kAtEnd, [](R r) { return r.scene.top().spin_rad_s; })),
+      of_scenario(compared("top.rotor_spin_rad_s", input, any, kAtEnd,
+                           [](R r) { return of_a_rotor(r, r.scene.top().rotor_spin_rad_s); })),
+      of_scenario(compared("top.rotor_momentum_kg_m2_s", derived, any, kAtEnd,
+                           [](R r) { return of_a_rotor(r, r.scene.top().rotor_momentum_kg_m2_s); })),
       of_scenario(
           compared("top.slow_precession_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().slow_precession_rad_s; })),
       of_scenario(compared("top.slow_precession_period_s", derived, any, kAtEnd,

@@ -15,15 +15,18 @@
 namespace earthtop {
 namespace {
 
-/// Whether the file has the columns of the contact.
-bool has_contact(const RunResult& result) {
-  return result.rows.empty() ? result.scene.support().has_contact : result.rows.front().contact.has_value();
+/// Whether the file has the columns of an owner.
+bool has_columns(const RunResult& result, RowOwner owner) {
+  if (!result.rows.empty()) return has_part(result.rows.front(), owner);
+  const Scenario& scenario = result.scene.scenario();
+  return owner == RowOwner::every_top ||
+         (owner == RowOwner::contact ? scenario.contact.has_value() : scenario.rotor.has_value());
 }
 
-std::string header(bool with_contact) {
+std::string header(const RunResult& result) {
   std::string text(kTimeColumn);
   for (const Column& column : trajectory_columns())
-    if (with_contact || !column.quantity->of_contact) text += ',' + column.name;
+    if (has_columns(result, column.quantity->owner)) text += ',' + column.name;
   return text + '\n';
 }
 
@@ -67,6 +70,7 @@ void append_row(std::string& text, const DriftRow& row) {
   };
   for_each_drift_quantity([&](auto member, const RowQuantity&) { add_all(member(row)); });
   if (row.contact) for_each_contact_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.contact)); });
+  if (row.rotor) for_each_rotor_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.rotor)); });
   line.add_char('\n');
   text += line.text();
 }
@@ -75,7 +79,7 @@ void append_row(std::string& text, const DriftRow& row) {
 void append_row(std::string& text, const ExtendedDriftRow& row, Precision precision) {
   append_number(text, static_cast<double>(row.t_s));
   for (const DriftQuantity& quantity : kDriftQuantities) {
-    if (quantity.of_contact && !row.contact) continue;
+    if (!has_part(row, quantity.owner)) continue;
     for (std::size_t i = 0; i < quantity.width(); ++i) {
       text += ',';
       const auto value = quantity.extended_value(row, i);
@@ -92,7 +96,7 @@ void append_row(std::string& text, const ExtendedDriftRow& row, Precision precis
 }  // namespace
 
 void write_trajectory_csv(const RunResult& result, const std::function<void(std::string_view)>& sink, const Watch& watch) {
-  CsvPieces csv(header(has_contact(result)), sink);
+  CsvPieces csv(header(result), sink);
   if (result.extended_rows.empty())
     each_row(
         result, [&](const DriftRow& row) { csv.add([&](std::string& text) { append_row(text, row); }); }, watch);

@@ -66,19 +66,21 @@ template <class T>
 void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   const DriftBound<T> none(0);
-  const std::optional<ContactRows<T>> table = contact_rows<T>(result.scene, made.first.contact_events);
+  const RowParts<T> parts(result.scene, made.first.contact_events);
   for (std::size_t i = 0; i < made.first.samples.size(); ++i) {
     if (!made.looks.serves(i, LookFor::row)) continue;
-    BasicDriftRow<T> row = make_row(made.first.samples[i], none, table);
+    BasicDriftRow<T> row = make_row(made.first.samples[i], none, parts);
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
     if (row.contact) row.contact->drift_tip_bound_m = T(kUnknown);
+    if (row.rotor) row.rotor->drift_axis_bound_rad = T(kUnknown);
     add_row(row, result);
   }
   result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
   if (made.first.threshold) result.drift.threshold_time_s = made.first.threshold->time_s();
   result.drift.axis_bound_rad = result.drift.attitude_bound_rad = result.attitude_bound_rad = kUnknown;
   result.drift.axis_max_bound_rad = result.drift.tilt_max_bound_rad = result.drift.azimuth_max_bound_rad = kUnknown;
-  if (table) result.drift.tip_bound_m = result.drift.tip_max_bound_m = kUnknown;
+  if (parts.table) result.drift.tip_bound_m = result.drift.tip_max_bound_m = kUnknown;
+  if (result.drift.rotor_axis_bound_rad) result.drift.rotor_axis_bound_rad = result.drift.rotor_axis_max_bound_rad = kUnknown;
   result.stops = made.first.stops;
   result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
   result.notes.emplace_back(
@@ -133,7 +135,7 @@ class Assembly {
         options_(options),
         rows_(parts_.next(seconds.rows)),
         support_(reports_in<T>(scene)),
-        table_(contact_rows<T>(scene, made_.first.contact_events)) {
+        row_parts_(scene, made_.first.contact_events) {
     result_.scene = result_.modelled = scene;
     result_.solution = made_.solution;
     result_.certificate = made_.certificate;
@@ -181,7 +183,7 @@ class Assembly {
       }
       const DriftSample<T>& sample = made_.first.samples[i];
       const DriftSample<T>& other = made_.second.samples[i];
-      if (made_.looks.serves(i, LookFor::row)) add_row(make_row(sample, bound, table_), result_);
+      if (made_.looks.serves(i, LookFor::row)) add_row(make_row(sample, bound, row_parts_), result_);
       if (made_.looks.serves(i, LookFor::judgement)) judged_.push_back(judged_look(sample, bound));
       const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
                                                {sample.state.ref_q_LB, other.state.ref_q_LB}};
@@ -271,7 +273,7 @@ class Assembly {
   const RunOptions& options_;
   const Watch rows_;
   const SupportReportsIn<T>& support_;
-  std::optional<ContactRows<T>> table_;  ///< of a top on a table
+  RowParts<T> row_parts_;
   RunResult result_;
   std::vector<DriftSample<double>> between_;  ///< what the first integration has shown between its rows
   std::vector<JudgedLook> judged_;

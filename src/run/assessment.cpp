@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/assessment.hpp"
 
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/ledger.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "run/invariant_follower.hpp"
 #include "run/ledger_report.hpp"
 
@@ -17,14 +19,41 @@ Vec3<T> vector(const std::array<T, 3>& v) {
   return {v[0], v[1], v[2]};
 }
 
+PivotConditions conditions_of(const Scene& scene) {
+  PivotConditions conditions;
+  conditions.alone = scene.is_plain() || (scene.support().has_rotor && scene.scenario().effects.plain());
+  const auto& rotor = scene.scenario().rotor;
+  conditions.has_rotor = rotor.has_value();
+  if (!rotor) {
+    conditions.symmetry_axis = scene.symmetry_axis();
+    return conditions;
+  }
+  conditions.rotor_keeps_momentum = rotor->drive == RotorDrive::none && !rotor->has_friction();
+  conditions.rotor_is_steady = conditions.rotor_keeps_momentum || rotor->drive == RotorDrive::constant;
+  return conditions;
+}
+
+/// The model that the rows belong to (SI): that of the scene, which for a rotor in a symmetric cage is the rigid top that moves as its
+/// axis does, and then that of cage and rotor.
+template <class T>
+Model<T> model_of_rows(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  Model<T> model = scene.model<T>();
+  if (!is_caged_top(scenario)) return model;
+  const Body<T> body = gyrostat_body(make_body<T>(scenario.body), *scenario.rotor, scenario.rotor->drive != RotorDrive::none);
+  model.I_BP_B = body.I_BP_B, model.I_BP_B_inverse = body.I_BP_B_inverse;
+  put_rotor(model, make_rotor<T>(*scenario.rotor), {});
+  return model;
+}
+
 template <class T>
 std::vector<InvariantReport> follow_invariants(const Scene& scene, const std::vector<BasicDriftRow<T>>& rows,
                                                const Watch& watch) {
-  const Model<T>& model = scene.model<T>();
-  const int axis = symmetry_axis(scene.body<T>());
+  const Model<T> model = model_of_rows<T>(scene);
+  const PivotConditions conditions = conditions_of(scene);
   std::vector<InvariantReport> reports;
   for (const ConservedQuantity<T>& quantity : kConserved<T>)
-    if (quantity.holds_on_pivot != nullptr && quantity.holds_on_pivot(axis))
+    if (quantity.holds_on_pivot != nullptr && quantity.holds_on_pivot(conditions))
       reports.push_back(followed_on_pivot(quantity, model, rows, watch));
   return reports;
 }
@@ -47,7 +76,7 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
-  if (!scene.is_plain()) return {};
+  if (!scene.is_plain() && !scene.scenario().rotor) return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
                                       : follow_invariants(scene, result.extended_rows, watch);
 }

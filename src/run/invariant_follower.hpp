@@ -51,9 +51,10 @@ InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Mo
   InvariantFollower<T> follower(quantity);
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
+    const T rate = !row.rotor ? T(0) : rotating ? row.rotor->rate_rad_s : row.rotor->ref_rate_rad_s;
     follower.include(quantity.on_pivot(
-        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B)}
-                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B)}));
+        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate}
+                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate}));
   }
   return follower.report();
 }

@@ -290,6 +290,10 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
        Kind::smooth}};
   const bool has_tip = drift.tip_max_m.has_value();
   if (has_tip) sought.push_back({[](const DriftRow& row) { return row.contact->drift_tip_m; }, result.reached_s, Kind::length});
+  const std::size_t rotor = sought.size();
+  const bool has_rotor = drift.rotor_axis_max_rad.has_value();
+  if (has_rotor)
+    sought.push_back({[](const DriftRow& row) { return row.rotor->drift_axis_rad; }, result.reached_s, Kind::angle});
   SecularDrift* const trend = drift.secular && drift.secular->azimuth_rate_rad_s ? &*drift.secular : nullptr;
   const std::size_t swings = sought.size();
   if (trend != nullptr) {
@@ -316,6 +320,13 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
     if (const auto& found = sought[tip].largest; found && found->value >= *drift.tip_max_m) {
       drift.tip_max_m = found->value, drift.tip_max_at_s = found->t_s;
       drift.tip_max_bound_m = judged_at(judged, found->t_s).tip_bound_m + found->error;
+    }
+  if (has_rotor)
+    if (const auto& found = sought[rotor].largest; found && found->value >= *drift.rotor_axis_max_rad) {
+      const JudgedLook& at = judged_at(judged, found->t_s);
+      const bool is_axis_3 = result.rows.front().rotor->axis_L == result.rows.front().axis_L;
+      drift.rotor_axis_max_rad = found->value, drift.rotor_axis_max_at_s = found->t_s;
+      drift.rotor_axis_max_bound_rad = (is_axis_3 ? at.axis_bound_rad : at.attitude_bound_rad) + found->error;
     }
   if (trend == nullptr) return;
   const auto &least = sought[swings].largest, &most = sought[swings + 1].largest;

@@ -109,8 +109,9 @@ LaterRows::Part LaterRows::make(std::size_t begin, std::size_t end, const RunRes
   if (watch.asks_to_stop()) return part;
   if (looks.samples.size() <= count) throw std::runtime_error("the motion between two rows could not be integrated once more");
   part.made.reserve(count);
+  const RowParts<double> parts(few_, {});
   for (std::size_t i = 1; i <= count; ++i) {
-    DriftRow row = make_row(looks.samples[i], DriftBound<double>(0), {});
+    DriftRow row = make_row(looks.samples[i], DriftBound<double>(0), parts);
     take_bounds(judged_, row);
     row.drift_reliable = result.verdict.trusts(row.t_s);
     part.made.push_back(row);

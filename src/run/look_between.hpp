@@ -28,13 +28,6 @@ void keep(LookFor purpose, LookFor other, Looks& looks, std::vector<DriftSample<
   looks = std::move(kept);
 }
 
-/// The maker of the contact's part of the rows; none for a fixed pivot.
-template <class T>
-std::optional<ContactRows<T>> contact_rows(const Scene& scene, const std::vector<ContactEvent>& events) {
-  if (!scene.support().has_contact) return std::nullopt;
-  return std::optional<ContactRows<T>>(std::in_place, scene.problem_without_rows<T>(), events);
-}
-
 /// Takes the looks for trend and pictures out of the first integration, whose other samples have partners in the second one.
 template <class T>
 std::vector<DriftSample<double>> take_between(TwoIntegrations<T>& made) {
@@ -58,10 +51,10 @@ JudgedLook judged_look(const DriftSample<T>& sample, const DriftBound<T>& bound)
 template <class T>
 std::vector<BasicDriftRow<T>> rows_of(const Scene& scene, const std::vector<ContactEvent>& events,
                                       const std::vector<DriftSample<T>>& samples) {
-  const std::optional<ContactRows<T>> table = contact_rows<T>(scene, events);
+  const RowParts<T> parts(scene, events);
   std::vector<BasicDriftRow<T>> rows;
   rows.reserve(samples.size());
-  for (const DriftSample<T>& sample : samples) rows.push_back(make_row(sample, DriftBound<T>(0), table));
+  for (const DriftSample<T>& sample : samples) rows.push_back(make_row(sample, DriftBound<T>(0), parts));
   return rows;
 }
 

@@ -5,25 +5,30 @@
 #include "drift/row_quantities.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/scenario/support.hpp"
+#include "earthtop/scene/scene.hpp"
+#include "run/cage_rows.hpp"
 #include "run/contact_rows.hpp"
 #include "run/drift_bound.hpp"
+#include "run/rotor_rows.hpp"
 
 namespace earthtop {
 
-/// Replaces -0 by 0, because zeros in a row have no sign.
+/// Makers of what only some tops have.
 template <class T>
-std::array<T, 3> to_array(const Vec3<T>& v) {
-  return {v[0] + T(0), v[1] + T(0), v[2] + T(0)};
-}
-template <class T>
-std::array<T, 4> to_array(const Quaternion<T>& q) {
-  return {q.w + T(0), q.v[0] + T(0), q.v[1] + T(0), q.v[2] + T(0)};
-}
+struct RowParts {
+  std::optional<ContactRows<T>> table;
+  std::optional<CageRows<T>> cage;
 
-/// @param table  makes the part of the contact; none for a fixed pivot
+  explicit RowParts(std::optional<ContactRows<T>> rows_on_table) : table(std::move(rows_on_table)) {}
+  RowParts(const Scene& scene, const std::vector<ContactEvent>& events) {
+    if (scene.support().has_contact) table.emplace(scene.problem_without_rows<T>(), events);
+    if (is_caged_top(scene.scenario())) cage.emplace(scene.scenario());
+  }
+};
+
 template <class T>
-BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bound,
-                          const std::optional<ContactRows<T>>& table) {
+BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bound, const RowParts<T>& parts) {
   const DriftState<T>& s = sample.state;
   const DriftMeasures<T>& m = sample.measures;
   BasicDriftRow<T> row;
@@ -42,7 +47,9 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   row.drift_attitude_rad = m.attitude;
   row.drift_attitude_bound_rad = bound.attitude();
   row.drift_spin_rad = sample.spin;
-  if (table) row.contact = table->row(sample, bound.tip());
+  if (parts.table) row.contact = parts.table->row(sample, bound.tip());
+  if (parts.cage) parts.cage->complete(row);
+  if (sample.rotor) add_rotor_row(s, *sample.rotor, row);
   return row;
 }
 
@@ -65,6 +72,10 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   cast_to(cast.t_s, row.t_s);
   for_each_drift_quantity([&](auto member, const RowQuantity&) { cast_to(member(cast), member(row)); });
   if (row.contact) cast.contact = contact_cast<To>(*row.contact);
+  if (row.rotor) {
+    BasicRotorRow<To>& made = cast.rotor.emplace();
+    for_each_rotor_quantity([&](auto member, const RowQuantity&) { cast_to(member(made), member(*row.rotor)); });
+  }
   return cast;
 }
 

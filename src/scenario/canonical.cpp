@@ -21,6 +21,7 @@ nlohmann::json written_out(const Scenario& s) {
     if (s.body.solids.empty()) return body_keys(below, s.body);
     below.list("solids", s.body.solids, [](auto& element, const auto& solid) { solid_keys(element, solid); });
   });
+  if (s.rotor) root.object("rotor", true, [&](auto& below) { rotor_keys(below, *s.rotor); });
   root.object("release", true, [&](auto& below) {
     below.word("rates_relative_to", s.release.rates_relative_to, kRateFrames);
     attitude_keys(below, s.release);

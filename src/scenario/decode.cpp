@@ -78,8 +78,9 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
   const auto body = root.require("body") ? decode_body(root.section("body")) : std::nullopt;
-  const auto release = root.require("release") ? decode_release(root.section("release")) : std::nullopt;
+  const auto release = root.require("release") ? decode_release(root.section("release"), root.has("rotor")) : std::nullopt;
   if (body) scenario.body = *body;
+  if (root.has("rotor")) scenario.rotor = decode_rotor(root);
   if (release) scenario.release = *release;
   decode_motion(root.section("motion"), scenario);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);

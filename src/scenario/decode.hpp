@@ -17,11 +17,13 @@ using input::excerpt, input::lists, input::Node, input::Section, input::split_wo
 std::optional<BodySpec> decode_body(const Section& body);
 
 /// Decodes the release; empty if it is not complete.
-std::optional<ReleaseSpec> decode_release(const Section& release);
+std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor);
 
 /// Decodes duration, output step and start, and checks the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
 
+/// Decodes the rotor.
+std::optional<RotorSpec> decode_rotor(const Section& root);
 /// Decodes the platform. @param source  says whether a table may be read, and where   @param duration_s  time it must cover (s)
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 

@@ -87,6 +87,8 @@ void check_beside(const Section& root, const Scenario& scenario) {
                 "only the torque of the air is modelled, not its force on a top that walks");
   refuse_effect("gimbal", applied.gimbal.has_value(),
                 "it holds the axis of a body that a pivot carries, and a tip on a table is free");
+  if (root.has("rotor"))
+    root.refuse_key("rotor", fmt::format("is not available with /contact: a gyrostat on a table is not modelled; {}", kLeave));
   if (root.has("platform"))
     root.refuse_key("platform",
                     fmt::format("is not available with /contact: a table that turns or swings is not modelled; {}", kLeave));

@@ -43,7 +43,8 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
   return alone;
 }
 
-bool decode_rates(const Section& release, ReleaseSpec& spec) {
+/// @param has_rotor  whether a rotor turns in the body, which may then be at rest
+bool decode_rates(const Section& release, bool has_rotor, ReleaseSpec& spec) {
   constexpr std::string_view kWhole = "angular_velocity_body_rad_s";
   const bool whole = release.has(kWhole), radians = release.has("spin_rad_s"), revolutions = release.has("spin_rpm");
   const std::string_view spin = revolutions && !radians ? "spin_rpm" : "spin_rad_s";
@@ -55,7 +56,8 @@ bool decode_rates(const Section& release, ReleaseSpec& spec) {
     release.refuse_key(kWhole, fmt::format("{} and angular_velocity_body_rad_s are both given; give exactly one", spin));
     return false;
   }
-  if (!radians && !revolutions && !whole) {
+  const bool given = radians || revolutions || whole;
+  if (!given && !has_rotor) {
     if (!release.expects("spin_rpm"))
       release.missing(
           "spin_rad_s",
@@ -66,18 +68,21 @@ bool decode_rates(const Section& release, ReleaseSpec& spec) {
   if (whole && release.has("precession"))
     release.refuse_key("precession", "the rates are given by angular_velocity_body_rad_s; precession belongs to spin_rad_s");
   Reading codec(release);
-  rates_keys(codec, spec);
+  if (given)
+    rates_keys(codec, spec);
+  else
+    precession_keys(codec, spec);
   return codec.complete() && !(whole && release.has("precession"));
 }
 
 }  // namespace
 
-std::optional<ReleaseSpec> decode_release(const Section& release) {
+std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor) {
   ReleaseSpec spec;
   const bool attitude = decode_attitude(release, spec);
   Reading codec(release);
   codec.word("rates_relative_to", spec.rates_relative_to, kRateFrames);
-  const bool rates = decode_rates(release, spec);
+  const bool rates = decode_rates(release, has_rotor, spec);
   if (!attitude || !codec.complete() || !rates) return std::nullopt;
   return spec;
 }

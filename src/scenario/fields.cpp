@@ -141,6 +141,32 @@ constexpr Field kOwnFields[] = {
      "or later, joined by a cubic spline"},
     {"/platform/file_sha256", text, "", any(), "", "", "table: the SHA-256 that the file must have; not checked if left out"},
 
+    {"/rotor", object, "", any(), "", "",
+     "a symmetric rotor that turns in the body, which is then its cage: a gyrostat. The body does not contain it; if left out, "
+     "the body "
+     "is rigid"},
+    {"/rotor/mass_kg", number, "kg", above(0, 1e6), "", "", "mass", kRequired},
+    {"/rotor/axial_kg_m2", number, "kg m^2", above(0, 1e9), "", "", "moment of inertia about its axis", kRequired},
+    {"/rotor/transverse_kg_m2", number, "kg m^2", above(0, 1e9), "", "",
+     "moment across its axis, about its own centre; at least half the axial one", kRequired},
+    {"/rotor/axis", vector3, "", kLengths, "", "[0, 0, 1]", "its axis, in body axes; any length but 0"},
+    {"/rotor/center_m", vector3, "m", kLengths, "", "[0, 0, 0]", "its centre from the pivot, in body axes"},
+    {"/rotor/spin_rad_s", number, "rad/s", kRates, "", "", "rate about its axis, relative to the body, at t = 0"},
+    {"/rotor/spin_rpm", number, "rpm", from(-9.5e9, 9.5e9), "", "",
+     "instead of spin_rad_s: the same in revolutions per minute, 2 pi/60 rad/s each"},
+    {"/rotor/drive", word, "", any(), WordsOf<kDriveRules>::text, "\"none\"",
+     "none: free but for its bearing; else a motor keeps it at this rate relative to the body"},
+    {"/rotor/acceleration_rad_s2", number, "rad/s^2", kRates, "", "0", "ramp: angular acceleration"},
+    {"/rotor/amplitude_rad_s", number, "rad/s", kRates, "", "0", "harmonic: amplitude of the rate, which is added to the spin"},
+    {"/rotor/frequency_hz", number, "Hz", from(0, 1e6), "", "0", "harmonic: frequency"},
+    {"/rotor/phase_deg", number, "deg", kAngles, "", "0", "harmonic: phase at t = 0"},
+    {"/rotor/viscous_torque_N_m_s", number, "N m s", from(0, 1e9), "", "0",
+     "k in the bearing's torque -k s, where s is the rotor's rate relative to the body"},
+    {"/rotor/coulomb_torque_N_m", number, "N m", from(0, 1e9), "", "0",
+     "T in the bearing's dry friction -T s/sqrt(s^2 + d^2), where d is the next key"},
+    {"/rotor/regularisation_rad_s", number, "rad/s", above(0, 1e9), "", "",
+     "rate below which the bearing's dry friction is proportional to it; required with it"},
+
     {"/contact", object, "", any(), "", "",
      "a top whose tip stands on a table; the body's pivot is then the centre of the tip's sphere. If left out, the pivot is "
      "fixed"},

@@ -104,16 +104,21 @@ void spin_keys(Codec& codec, S& release) {
 }
 
 template <class Codec, class S>
-void rates_keys(Codec& codec, S& release) {
-  if (codec.takes("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s.has_value()))
-    return codec.key("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s);
-  spin_keys(codec, release);
+void precession_keys(Codec& codec, S& release) {
   if constexpr (!Codec::kWrites)
     if (codec.is_object("precession")) release.precession = Precession::given;
   if (release.precession == Precession::given)
     codec.object("precession", true, [&](auto& below) { below.key("rate_rad_s", release.precession_rate_rad_s); });
   else
     codec.word("precession", release.precession, kPrecessions);
+}
+
+template <class Codec, class S>
+void rates_keys(Codec& codec, S& release) {
+  if (codec.takes("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s.has_value()))
+    return codec.key("angular_velocity_body_rad_s", release.angular_velocity_body_rad_s);
+  spin_keys(codec, release);
+  precession_keys(codec, release);
 }
 
 // -- motion and platform
@@ -140,6 +145,27 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("phase_deg", platform.phase_deg);
   of_motion("file", platform.file);
   of_motion("file_sha256", platform.file_sha256);  // represents the table in the run's identity
+}
+
+// -- rotor
+
+/// The spin is written in rad/s, and what is off is left out.
+template <class Codec, class S>
+void rotor_keys(Codec& codec, S& rotor) {
+  codec.key("mass_kg", rotor.mass_kg);
+  codec.key("axial_kg_m2", rotor.axial_kg_m2);
+  codec.key("transverse_kg_m2", rotor.transverse_kg_m2);
+  codec.key("axis", rotor.axis);
+  codec.key("center_m", rotor.center_m);
+  spin_keys(codec, rotor);
+  codec.word("drive", rotor.drive, kDriveRules);
+  codec.sparse("acceleration_rad_s2", rotor.acceleration_rad_s2);
+  codec.sparse("amplitude_rad_s", rotor.amplitude_rad_s);
+  codec.sparse("frequency_hz", rotor.frequency_hz);
+  codec.sparse("phase_deg", rotor.phase_deg);
+  codec.sparse("viscous_torque_N_m_s", rotor.viscous_torque_N_m_s);
+  codec.sparse("coulomb_torque_N_m", rotor.coulomb_torque_N_m);
+  codec.sparse("regularisation_rad_s", rotor.regularisation_rad_s);
 }
 
 // -- contact

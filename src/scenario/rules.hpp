@@ -14,6 +14,7 @@
 #include "earthtop/model/contact_spec.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
+#include "earthtop/model/rotor_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
 #include "scenario/quantities.hpp"
 
@@ -98,6 +99,22 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
+};
+
+/// The keys that a rotor's drive must and may have. Its bearing's friction belongs to a rotor without a drive.
+struct DriveRule {
+  std::string_view word;
+  RotorDrive value;
+  std::string_view required, allowed;  ///< members of kDriveKeys, separated by '|'
+};
+
+inline constexpr std::string_view kDriveKeys =
+    "acceleration_rad_s2|amplitude_rad_s|frequency_hz|phase_deg|viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s";
+inline constexpr std::array kDriveRules = {
+    DriveRule{"none", RotorDrive::none, "", "viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s"},
+    DriveRule{"constant", RotorDrive::constant, "", ""},
+    DriveRule{"ramp", RotorDrive::ramp, "acceleration_rad_s2", "acceleration_rad_s2"},
+    DriveRule{"harmonic", RotorDrive::harmonic, "amplitude_rad_s|frequency_hz", "amplitude_rad_s|frequency_hz|phase_deg"},
 };
 
 /// The coefficients that a law of friction must and may have.

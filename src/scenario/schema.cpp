@@ -54,15 +54,24 @@ Json solid_rules() {
   return rules;
 }
 
-Json platform_rules() {
+/// Returns the rules of keys that belong to words.   @param key  that has the word   @param keys  all that belong to one of them
+template <class Rows>
+Json rules_of_words(const char* key, const Rows& rows, std::string_view keys) {
   Json rules = Json::array();
-  for (const MotionRule& rule : kMotionRules) {
+  for (const auto& rule : rows) {
     Json properties = Json::object();
-    const auto allowed = split_words(rule.allowed);
-    for (const std::string_view key : split_words(kMotionKeys))
-      if (std::find(allowed.begin(), allowed.end(), key) == allowed.end()) properties[key] = false;
-    rules.push_back(when("motion", rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
+    for (const std::string_view one : split_words(keys))
+      if (!input::lists(rule.allowed, one)) properties[one] = false;
+    rules.push_back(when(key, rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
   }
+  return rules;
+}
+Json platform_rules() { return rules_of_words("motion", kMotionRules, kMotionKeys); }
+
+Json rotor_rules() {
+  Json rules = rules_of_words("drive", kDriveRules, kDriveKeys);
+  rules.push_back(exactly_one("spin_rad_s|spin_rpm"));
+  rules.push_back({{"if", has("coulomb_torque_N_m", {{"exclusiveMinimum", 0}})}, {"then", required("regularisation_rad_s")}});
   return rules;
 }
 
@@ -94,6 +103,13 @@ Json site_rule() {
   nothing_to_know.update(has("earth", has("rotation_rate_rad_s", {{"const", 0}})), true);
   nothing_to_know["required"] = {"site", "earth"};
   return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know})}};
+}
+
+/// Returns the rule that the release has one rate; with a rotor in the body it may have none.
+Json rate_rule() {
+  constexpr std::string_view kOneRate = "spin_rad_s|spin_rpm|angular_velocity_body_rad_s";
+  const Json still = {{"properties", {{"release", none_of(kOneRate)}}}, {"required", {"rotor"}}};
+  return {{"anyOf", Json::array({has("release", exactly_one(kOneRate)), still})}};
 }
 
 Json body_rule() {
@@ -168,21 +184,20 @@ Json criterion_rules() {
 
 /// Returns an object's rules that involve several of its keys; an empty array if there are none.
 Json rules_of(std::string_view pattern) {
-  if (pattern.empty()) return Json::array({site_rule()});
+  if (pattern.empty()) return Json::array({site_rule(), rate_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
   if (pattern == "/criteria/*") return criterion_rules();
   if (pattern == "/body") return Json::array({body_rule()});
   if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2|matrix_kg_m2")});
   if (pattern == "/body/solids/*") return solid_rules();
-  if (pattern == "/release")
-    return Json::array({exactly_one("tilt_deg|quaternion_LB"), exactly_one("spin_rad_s|spin_rpm|angular_velocity_body_rad_s"),
-                        release_rule()});
+  if (pattern == "/release") return Json::array({exactly_one("tilt_deg|quaternion_LB"), release_rule()});
   if (pattern == "/site") return Json::array({{{"dependencies", {{"gravity_m_s2", none_of("gravity_anomaly_m_s2")}}}}});
   if (pattern == "/motion")
     return Json::array(
         {{{"properties", {{"start_utc", {{"pattern", "^\\d{4}-\\d{2}-\\d{2}T\\d{2}:\\d{2}:\\d{2}([.]\\d+)?Z$"}}}}}}});
   if (pattern == "/effects/tide") return Json::array({tide_rule()});
   if (pattern == "/platform") return platform_rules();
+  if (pattern == "/rotor") return rotor_rules();
   if (pattern == "/contact") return contact_rules();
   if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();

@@ -20,6 +20,15 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
          "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario "
          "with and without it",
      .no_trend = "the top stands on a table"},
+    {.kind = SupportKind::rotor,
+     .pointer = "/rotor",
+     .carries = [](const Scenario& s) { return s.rotor && !is_caged_top(s); },
+     .has_rotor = true,
+     .may_damp = true,
+     .no_exact_motion = "is not available with a rotor in the body; take \"auto\", or leave the rotor out",
+     .no_effect_sizes = "effects are sized only for a rigid body; to see what an effect does with a rotor, run the scenario "
+                        "with and without it",
+     .no_trend = "a rotor turns in the body"},
     {.kind = SupportKind::platform,
      .pointer = "/platform",
      .carries = [](const Scenario& s) { return s.platform.has_value(); },
@@ -41,6 +50,23 @@ constexpr bool supports_are_in_order() {
 static_assert(supports_are_in_order());
 
 }  // namespace
+
+bool is_caged_top(const Scenario& s) {
+  if (!has_symmetric_cage(s) || s.contact || s.ledger || s.numerics.form == ModelForm::general) return false;
+  const AppliedTorquesSpec& applied = s.effects.applied;
+  return !applied.friction() && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
+}
+
+bool has_symmetric_cage(const Scenario& s) {
+  if (!s.rotor) return false;
+  const RotorSpec& rotor = *s.rotor;
+  if (!(rotor.axis[0] == 0 && rotor.axis[1] == 0 && rotor.axis[2] > 0 && rotor.center_m[0] == 0 && rotor.center_m[1] == 0))
+    return false;
+  if (!s.body.solids.empty()) return true;  // of revolution about axis 3
+  const auto& I = s.body.inertia_kg_m2;
+  const auto& center = s.body.center_of_mass_m;
+  return center[0] == 0 && center[1] == 0 && I[0][0] == I[1][1] && I[0][1] == 0 && I[0][2] == 0 && I[1][2] == 0;
+}
 
 const Support& support_of(const Scenario& scenario) {
   return *std::ranges::find_if(kSupports, [&](const Support& support) { return support.carries(scenario); });

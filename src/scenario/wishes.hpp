@@ -8,10 +8,10 @@
 namespace earthtop::scenario {
 
 inline constexpr input::Wish kWishes[] = {
-    {"rotor|cage",
-     "the top is one rigid body, without a rotor that turns in a cage: give mass, centre of mass and I1, I2 of the "
-     "whole and, as I3 and spin, those of the rotor; without the Earth's rotation its axis moves as that of a "
-     "rotor in a symmetric cage that does not turn about it"},
+    {"cage|gyrostat", "the cage of a rotor is /body, and the rotor that turns in it is /rotor"},
+    {"suspension|cardan",
+     "gimbals with moments of their own are not modelled: /rotor turns on an axis fixed in the body, and "
+     "/effects/gimbal holds the body's axis level"},
     {"ring",
      "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the ring of a gimbal has no "
      "mass here: add its moment about Up to I1 and I2"},

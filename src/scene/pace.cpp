@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "earthtop/model/model.hpp"
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
@@ -18,6 +19,7 @@ struct Released {
   const Release<double>& release;
   Vec3<double> moments;  ///< principal moments, ascending (kg m^2)
   int axis;              ///< symmetry axis of the body, or -1
+  Vec3<double> inside;   ///< momentum of a rotor (kg m^2/s)
   double momentum;
 
   explicit Released(const Scene& scene)
@@ -25,7 +27,8 @@ struct Released {
         release(scene.release<double>()),
         moments(Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.I_BP_B, Eigen::EigenvaluesOnly).eigenvalues()),
         axis(scene.symmetry_axis()),
-        momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B))) {}
+        inside(rotor_momentum(scene)),
+        momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B + inside))) {}
 
   double least() const { return moments[0]; }
   double largest() const { return moments[2]; }
@@ -36,6 +39,7 @@ struct Released {
   double turning_rate() const {
     const Vec3<double>& w = release.w_XB_B;
     if (axis >= 0) return std::max(norm(w), momentum / swinging());
+    if (inside != Vec3<double>::Zero()) return norm(w) + momentum / least();
     const double twice_energy = w.dot(Vec3<double>(body.I_BP_B * w));
     return std::min(momentum / least(), std::sqrt(twice_energy / least()));
   }
@@ -85,6 +89,7 @@ class FrictionPace {
       const double across = std::min(top.body.I_BP_B(0, 0), top.body.I_BP_B(1, 1));
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
     }
+    if (scene.support().has_rotor) bearing(*scene.scenario().rotor);
     if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
     if (applied.air_drag) disc(*applied.air_drag, scene.site(), std::abs(scene.rotation_rate_rad_s()));
     if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
@@ -111,6 +116,13 @@ class FrictionPace {
     turned_ = std::min(turned_, Braking{k / largest, 0}.turned(rate_, time_));
     // An overdamped pendulum creeps and does not swing.
     swung_s_ = std::min(swung_s_, kSeen * largest / k);
+  }
+  /// A bearing turns rotor and body against each other. Regularised dry friction is steepest where the rotor stands still.
+  void bearing(const RotorSpec& rotor) {
+    const double across = 1 / rotor.axial_kg_m2 + 1 / top_.least();
+    damp("/rotor/viscous_torque_N_m_s", rotor.viscous_torque_N_m_s * across * time_);
+    if (rotor.coulomb_torque_N_m > 0)
+      damp("/rotor/coulomb_torque_N_m", rotor.coulomb_torque_N_m / rotor.regularisation_rad_s * across * time_);
   }
   void quadratic(double c) {
     // The Jacobian is largest for the least moment. A falling body reaches, once, the rate at which drag balances the torque.
@@ -226,13 +238,23 @@ PlatformDemand demand_of(const Scene& scene) {
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
+Vec3<double> rotor_momentum(const Scene& scene) {
+  const auto& given = scene.scenario().rotor;
+  if (!scene.support().has_rotor) return Vec3<double>::Zero();
+  const Rotor<double> rotor = make_rotor<double>(*given);
+  const double driven = std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s + std::abs(given->amplitude_rad_s);
+  const double carried = rotor.driven ? 0 : rotor.axis_B.dot(scene.release<double>().w_XB_B);
+  const double rate = std::abs(given->spin_rad_s + carried) + driven;
+  return rotor.axial * rate * rotor.axis_B;
+}
+
 double PivotLaws::fastest_rate(const Scene& scene) const {
   const Mat3<double>& inertia = scene.body<double>().I_BP_B;
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
   const PlatformDemand& platform = scene.platform_demand();
   const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2);
-  const double rate = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B)) / least_moment +
+  const double rate = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B + rotor_momentum(scene))) / least_moment +
                       2 * std::sqrt(torque / least_moment) + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
   return std::max(rate, 1 / scene.scenario().duration_s);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Makes the input of a scene's integrations from its body and its release.
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "scene/support_laws.hpp"
 
@@ -48,6 +49,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
     model.tide = tide_series<T>(scene).scaled(units.time_exponent);
     model.kind = SceneKind::full;
   }
+  if (scene.support().has_rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
   return model;
 }
 template Model<double> model_of(const Scene&, const NaturalUnits&);

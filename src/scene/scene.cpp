@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "scene/once.hpp"
 #include "scene/second_integration.hpp"
@@ -77,14 +78,14 @@ const std::vector<Constant>& Scene::constants() const {
 const Support& Scene::support() const { return support_of(scenario()); }
 bool Scene::is_plain() const { return support().is_fixed_pivot && scenario().effects.plain(); }
 int Scene::symmetry_axis() const {
-  return parts_->symmetry_axis.get([this] { return earthtop::symmetry_axis(body<double>()); });
+  return parts_->symmetry_axis.get([this] { return support().has_rotor ? -1 : earthtop::symmetry_axis(body<double>()); });
 }
 const TopFigures& Scene::top() const {
   return parts_->top.get([this] { return top_figures_of(*this); });
 }
 bool Scene::is_reducible_when_driven() const {
   const EffectsSpec& effects = scenario().effects;
-  if (!effects.all_on()) return false;
+  if (!effects.all_on() || support().has_rotor) return false;
   if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform;
   return symmetry_axis() == 2 || (symmetry_axis() >= 0 && !effects.applied.air_drag);
 }
@@ -100,7 +101,12 @@ Scene Scene::without_rotation() const {
 
 template <class T>
 const Body<T>& Scene::body() const {
-  return parts_->in<T>().body.get([this] { return make_body<T>(scenario().body); });
+  return parts_->in<T>().body.get([this] {
+    const Body<T> body = make_body<T>(scenario().body);
+    const auto& rotor = scenario().rotor;
+    if (!rotor) return body;
+    return gyrostat_body(body, *rotor, !support().has_rotor || rotor->drive != RotorDrive::none);
+  });
 }
 template <class T>
 const Release<T>& Scene::release() const {

@@ -9,6 +9,7 @@
 #include "drift/derivatives/contact_derivatives.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "earthtop/scenario/inputs.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/parts.hpp"
 
 namespace earthtop {
@@ -80,8 +81,8 @@ SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
     plan.refusal = "no row of the drift is reliable";
   if (!plan.refusal.empty()) return plan;
   const std::size_t inputs = inputs_of(scenario).size();
-  const bool varied =
-      scenario.contact ? has_tangents(scene.problem_without_rows<double>()) : scenario.effects.applied.coulomb_N_m == 0;
+  const bool varied = scenario.contact ? has_tangents(scene.problem_without_rows<double>())
+                                       : scenario.effects.applied.coulomb_N_m == 0 && !scene.support().has_rotor;
   if (varied)
     for (const double tolerance : {kSensitivityTolerance, kCoarseSensitivityTolerance})
       plan.seconds += variations_seconds(scene, time_s, tolerance, inputs);

@@ -6,6 +6,7 @@
 #include "earthtop/model/contact_release.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/support.hpp"
+#include "scene/caged_top.hpp"
 
 namespace earthtop {
 namespace {
@@ -18,19 +19,34 @@ constexpr LawsIn<T> kTable{
     [](const Scene& scene, DriftProblem<T>& problem) { problem.table = in_units(scene.table<T>(), problem.units); }};
 
 template <class T>
-constexpr LawsIn<T> kPivot{
-    [](const Scene& scene) { return make_release<T>(scene.scenario().release, scene.body<T>(), T(scene.site().gravity_m_s2)); },
-    [](const Scene&, DriftProblem<T>&) {}};
+Release<T> release_on_pivot(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const T gravity = T(scene.site().gravity_m_s2);
+  if (is_caged_top(scenario)) return CagedTop<T>(scenario).release(gravity);
+  const Precession precession = scenario.release.precession;
+  if (!scenario.rotor || precession == Precession::none || precession == Precession::given)
+    return make_release<T>(scenario.release, scene.body<T>(), gravity);
+  if (!has_symmetric_cage(scenario))
+    throw ScenarioError("/release/precession",
+                        "no steady precession: with a rotor only one on axis 3 of a symmetric cage has it; give "
+                        "{\"rate_rad_s\": ...} or \"none\"");
+  Release<T> release = CagedTop<T>(scenario).release(gravity);
+  release.w_XB_B[2] = T(scenario.release.spin_rad_s);  // of the cage, whose axis the rotor's momentum carries
+  return release;
+}
+template <class T>
+constexpr LawsIn<T> kPivot{release_on_pivot<T>, [](const Scene&, DriftProblem<T>&) {}};
 
 constinit const TableLaws kTableLaws;
+constinit const RotorLaws kRotorLaws;
 constinit const PlatformLaws kPlatformLaws;
 constinit const GimbalLaws kGimbalLaws;
 constinit const PivotLaws kPivotLaws;
 
 /// Both in the order of SupportKind.
-constexpr auto kLaws = std::to_array<const PivotLaws*>({&kTableLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
+constexpr auto kLaws = std::to_array<const PivotLaws*>({&kTableLaws, &kRotorLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
 template <class T>
-constexpr std::array kLawsIn = {kTable<T>, kPivot<T>, kPivot<T>, kPivot<T>};
+constexpr std::array kLawsIn = {kTable<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
 static_assert(kLaws.size() == kSupportCount && kLawsIn<double>.size() == kSupportCount);
 
 }  // namespace

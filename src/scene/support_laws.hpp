@@ -45,6 +45,15 @@ class PivotLaws {
   virtual std::string too_stiff(const Scene& scene, const std::string& work) const;
 };
 
+struct RotorLaws final : PivotLaws {
+  void check(const input::Section& root, const Scene& scene) const override;
+  void fit_units(const Scene& scene, NaturalUnits& units) const override;
+  ModelForm form(const Scene&, const IntegrationOptions&) const override { return ModelForm::general; }
+  MethodChoice choose_method(const Scene& scene) const override;
+  void add_figures(TopFigures& top, const Scene&, double) const override;
+  std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
+};
+
 struct PlatformLaws final : PivotLaws {
   void check(const input::Section& root, const Scene& scene) const override;
 };

@@ -12,7 +12,9 @@
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "scene/support_laws.hpp"
 #include "text/number_words.hpp"
 
@@ -156,6 +158,27 @@ void add_critical_spin(TopFigures& top, const SymmetricTop<double>& body, double
   top.spin_over_critical = finite(std::abs(top.spin_rad_s) / *top.critical_spin_rad_s);
 }
 
+/// A release without its steady precession, which does not change the rate about the axis.
+ReleaseSpec spec_without_steady(ReleaseSpec spec) {
+  if (spec.precession != Precession::given) spec.precession = Precession::none;
+  return spec;
+}
+
+/// Adds the rotor. The other figures of a rotor in a symmetric cage are those of the rigid top that moves as its axis does.
+void add_rotor(TopFigures& top, const Scene& scene, const RotorSpec& spec) {
+  const Rotor<double> rotor = make_rotor<double>(spec);
+  const Release<double> release = make_release<double>(spec_without_steady(scene.scenario().release), scene.body<double>(), 0);
+  top.rotor_spin_rad_s = rotor.spin;
+  top.rotor_momentum_kg_m2_s = rotor.axial * (rotor.spin + (rotor.driven ? 0 : rotor.axis_B.dot(release.w_XB_B)));
+  if (scene.support().has_rotor) {
+    if (!rotor.driven) top.notes.emplace_back("the moments are those of body and rotor without the rotor's axial moment");
+    return;
+  }
+  top.notes.push_back(
+      fmt::format("the axis moves as that of a rigid top with these moments and a spin of {:.6g} rad/s", top.spin_rad_s));
+  top.spin_rad_s = release.w_XB_B[2];
+}
+
 }  // namespace
 
 BasicTopConstants<float128> top_constants_of(const Scene& scene) {
@@ -182,6 +205,7 @@ TopFigures top_figures_of(const Scene& scene) {
   cosine = std::copysign(is_vertical ? 1 : std::min(std::abs(cosine), 1 - real::epsilon<double>()), cosine);
   if (std::abs(cosine) <= kRoundOff) cosine = 0;
   laws_of(scene).add_figures(top, scene, cosine);
+  if (const auto& rotor = scene.scenario().rotor) add_rotor(top, scene, *rotor);
   return top;
 }
 

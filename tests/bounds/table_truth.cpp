@@ -44,7 +44,7 @@ void slide_in_inertial_axes(const Scenario& scenario, double tolerance, TrueRun&
     sample.state.t_s = T(problem.times_s[i]);
     sample.measures = measure_drift(drift.deviation_state(x, t));
     sample.contact = std::make_shared<const ContactDriftState<float128>>(drift.contact_state(x, t));
-    truth.rows[i] = make_row(sample, DriftBound<T>(0), std::optional(rows));
+    truth.rows[i] = make_row(sample, DriftBound<T>(0), RowParts<T>(rows));
   }
 }
 

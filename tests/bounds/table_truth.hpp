@@ -21,11 +21,10 @@ struct TrueRun {
 
 template <class T>
 TrueRun true_run(const Scene& scene, const DriftTrajectory<T>& trajectory) {
-  std::optional<ContactRows<T>> table;
-  if (scene.scenario().contact) table.emplace(scene.problem<T>(), trajectory.contact_events);
+  const RowParts<T> parts(scene, trajectory.contact_events);
   TrueRun made;
   for (const DriftSample<T>& sample : trajectory.samples)
-    made.rows.push_back(row_cast<float128>(make_row(sample, DriftBound<T>(0), table)));
+    made.rows.push_back(row_cast<float128>(make_row(sample, DriftBound<T>(0), parts)));
   made.events = trajectory.contact_events;
   return made;
 }

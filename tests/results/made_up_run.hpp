@@ -121,6 +121,32 @@ inline RunResult made_up_contact_run(std::size_t rows = 201) {
   return result;
 }
 
+/// The same of a body with a rotor on a slanted axis, whose bearing slows it.
+inline RunResult made_up_rotor_run(std::size_t rows = 201) {
+  RunResult result = made_up_run(rows);
+  result.scene = testing::changed(result.scene, [](Scenario& s) {
+    RotorSpec& rotor = s.rotor.emplace();
+    rotor.mass_kg = 0.02, rotor.axial_kg_m2 = 1e-5, rotor.transverse_kg_m2 = 6e-6;
+    rotor.axis = {0, 0.6, 0.8}, rotor.spin_rad_s = 300;
+  });
+  result.modelled = result.scene;
+  for (DriftRow& row : result.rows) {
+    const double t = row.t_s;
+    BasicRotorRow<double>& rotor = row.rotor.emplace();
+    rotor.ref_rate_rad_s = 300 * std::exp(-0.01 * t), rotor.ref_angle_rad = 300 * t * (1 - 0.005 * t);
+    rotor.drift_rate_rad_s = 1e-6 * t, rotor.drift_angle_rad = 5e-7 * t * t;
+    rotor.rate_rad_s = rotor.ref_rate_rad_s + rotor.drift_rate_rad_s,
+    rotor.angle_rad = rotor.ref_angle_rad + rotor.drift_angle_rad;
+    rotor.axis_L = {0.6 * std::cos(t), 0.6 * std::sin(t), 0.8}, rotor.ref_axis_L = {0.6 * std::cos(t), 0.6 * std::sin(t), 0.8};
+    rotor.drift_axis_rad = 1.5 * row.drift_axis_rad, rotor.drift_axis_bound_rad = row.drift_attitude_bound_rad;
+  }
+  result.drift.rotor_axis_final_rad = result.rows.back().rotor->drift_axis_rad;
+  result.drift.rotor_axis_max_rad = 1.9e-3, result.drift.rotor_axis_max_at_s = 59,
+  result.drift.rotor_axis_max_bound_rad = 7e-10;
+  result.drift.rotor_axis_bound_rad = 7.2e-10;
+  return result;
+}
+
 /// The same with everything that a result may have, and no number of its summary null.
 inline RunResult made_up_full_run() {
   RunResult result = made_up_run_with_ledger(11);

@@ -30,6 +30,9 @@ SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release":
 ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
 
 
+ROTOR = {"mass_kg": 0.05, "axial_kg_m2": 1.6e-5, "transverse_kg_m2": 8.5e-6}
+
+
 def scene(**sections):
     return {**copy.deepcopy(SCENE), **copy.deepcopy(sections)}
 
@@ -103,6 +106,11 @@ WHOLE = [
     scene(numerics={"method": "gauss", "relative_tolerance": 1e-10}),
     scene(numerics={"method": "dop853"}),
     scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
+    scene(rotor={**ROTOR, "spin_rad_s": 300, "axis": [0, 0.1, 1], "center_m": [0, 0, 0.03], "drive": "none",
+                 "viscous_torque_N_m_s": 1e-7, "coulomb_torque_N_m": 1e-6, "regularisation_rad_s": 1}),
+    scene(rotor={**ROTOR, "spin_rpm": 3000, "drive": "ramp", "acceleration_rad_s2": 1}),
+    scene(rotor={**ROTOR, "spin_rad_s": 300, "drive": "harmonic", "amplitude_rad_s": 1, "frequency_hz": 2, "phase_deg": 30}),
+    scene(rotor={**ROTOR, "spin_rad_s": 300}, release={"tilt_deg": 20}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
     scene(effects={"gravity_gradient": True, "viscous_torque_N_m_s": 1e-7, "quadratic_torque_N_m_s2": 1e-9, "tide": False,
                    "air_drag": {"disc_radius_m": 0.05, "density_kg_m3": 1.2, "kinematic_viscosity_m2_s": 1.5e-5,

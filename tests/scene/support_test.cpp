@@ -18,6 +18,10 @@ using testing::changed;
 void ask_for_table(Scenario& s) {
   s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
 }
+void ask_for_rotor(Scenario& s) {
+  RotorSpec& rotor = s.rotor.emplace();
+  rotor.mass_kg = 0.01, rotor.axial_kg_m2 = 1e-6, rotor.transverse_kg_m2 = 1e-6, rotor.axis = {0, 1, 1};
+}
 void ask_for_platform(Scenario& s) { s.platform.emplace().rate_rad_s = 0.1; }
 void ask_for_gimbal(Scenario& s) { s.effects.applied.gimbal.emplace(), s.release.tilt_deg = 90; }
 
@@ -27,6 +31,7 @@ struct Asked {
   void (*ask)(Scenario&);
 };
 constexpr Asked kAsked[] = {{SupportKind::table, "/contact", ask_for_table},
+                            {SupportKind::rotor, "/rotor", ask_for_rotor},
                             {SupportKind::platform, "/platform", ask_for_platform},
                             {SupportKind::gimbal, "/effects/gimbal", ask_for_gimbal},
                             {SupportKind::pivot, "", [](Scenario&) {}}};
@@ -55,6 +60,9 @@ TEST(Support, OnlyAFixedPivotHasExactMotions) {
       case SupportKind::table:
         EXPECT_EQ(said, "\"long_horizon\" is not available for a top on a table; take \"auto\", or leave the contact out");
         break;
+      case SupportKind::rotor:
+        EXPECT_EQ(said, "\"long_horizon\" is not available with a rotor in the body; take \"auto\", or leave the rotor out");
+        break;
       case SupportKind::platform:
         EXPECT_EQ(said, "\"long_horizon\" is not available on a platform; take \"auto\", or leave the platform out");
         break;
@@ -75,6 +83,7 @@ TEST(Support, ItsChecksAreItsOwn) {
       "is not available with /contact: it is friction of a fixed pivot, a torque without a force; a tip's friction is "
       "/contact/law, "
       "spinning_friction_m and rolling_resistance_m; leave one of the two out",
+      "is not available with /rotor: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available on a platform; leave one of the two out",
       "is not available with a gimbal; give the gimbal a damping instead", ""};
   for (const Asked& asked : kAsked) {
@@ -88,6 +97,14 @@ TEST(Support, ItsChecksAreItsOwn) {
     EXPECT_EQ(report.errors.front().pointer, "/effects/coulomb_torque_N_m") << asked.pointer;
     EXPECT_EQ(report.errors.front().message, said);
   }
+}
+
+TEST(Support, WhatARotorHasNotIsSaid) {
+  const Support& rotor = changed(testing::toy_top(), ask_for_rotor).support();
+  EXPECT_EQ(rotor.no_trend, "a rotor turns in the body");
+  EXPECT_EQ(
+      rotor.no_effect_sizes,
+      "effects are sized only for a rigid body; to see what an effect does with a rotor, run the scenario with and without it");
 }
 
 TEST(Support, WhatATableHasNotIsSaid) {

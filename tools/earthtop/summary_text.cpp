@@ -173,6 +173,10 @@ void write_drift(Page& page, const RunResult& result) {
   page.line("  spin angle {}", part_of_drift(drift.spin_final_rad, drift.attitude_bound_rad));
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad, "rad"));
+  if (const auto& rotor = last->rotor) {
+    page.line("  rotor axis  {}", with_bound(rotor->drift_axis_rad, rotor->drift_axis_bound_rad, "rad"));
+    page.line("  rotor      {:+.6e} rad/s, {:+.6e} rad, relative to the body", rotor->drift_rate_rad_s, rotor->drift_angle_rad);
+  }
   const char* label = "tip";
   for (const std::string& line : tip_drift_lines(result, *last, drift.tip_bound_m.value_or(0))) {
     page.line("  {:<11} {}", label, line);

@@ -32,6 +32,19 @@ struct BasicContactRow {
   ContactState state = ContactState::slide;
 };
 
+/// The part of a row of a gyrostat (model/rotor.hpp). Rate and angle are those of the rotor relative to the body, the angle since the
+/// release; its axis is in East, North, Up.
+template <class T>
+struct BasicRotorRow {
+  T rate_rad_s = T(0), angle_rad = T(0);
+  std::array<T, 3> axis_L = {};
+  T ref_rate_rad_s = T(0), ref_angle_rad = T(0);
+  std::array<T, 3> ref_axis_L = {};
+  T drift_rate_rad_s = T(0), drift_angle_rad = T(0);  ///< rotating minus reference
+  T drift_axis_rad = T(0);                            ///< angle between the rotor's two axes
+  T drift_axis_bound_rad = T(0);                      ///< bound on the error of `drift_axis_rad`
+};
+
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
 /// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
 /// in float128, which holds a long double unchanged.
@@ -53,6 +66,7 @@ struct BasicDriftRow {
   T drift_spin_rad = T(0);                    ///< difference of the spin phases, continuous
   bool drift_reliable = true;                 ///< false from the time at which the run's verdict calls the drift unreliable
   std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
+  std::optional<BasicRotorRow<T>> rotor;      ///< of a gyrostat
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
@@ -112,6 +126,9 @@ struct DriftSummary {
   double azimuth_max_at_s = 0, azimuth_max_bound_rad = 0;
   double tilt_max_rad = 0, tilt_max_at_s = 0, tilt_max_bound_rad = 0;
   std::optional<double> tip_max_at_s, tip_max_bound_m;
+  /// Of a gyrostat: the same of the rotor's axis.
+  std::optional<double> rotor_axis_final_rad, rotor_axis_max_rad, rotor_axis_bound_rad;
+  std::optional<double> rotor_axis_max_at_s, rotor_axis_max_bound_rad;
 };
 
 /// Summarises the rows. The members on the threshold and the trend stay empty: the integrations, which see every step, find

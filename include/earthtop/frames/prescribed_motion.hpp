@@ -52,4 +52,14 @@ struct PrescribedMotion {
   T argument(T t) const { return pulsation() * t + phase; }
 };
 
+/// The same motion with times in units of 2^time_exponent s; no digit changes.
+template <class T>
+PrescribedMotion<T> in_time_units(PrescribedMotion<T> motion, int time_exponent) {
+  motion.rate = real::scale(motion.rate, time_exponent);
+  motion.acceleration = real::scale(motion.acceleration, 2 * time_exponent);
+  motion.frequency = real::scale(motion.frequency, time_exponent);
+  if (motion.table) motion.table = std::make_shared<const AngleSpline<T>>(motion.table->in_time_units(time_exponent));
+  return motion;
+}
+
 }  // namespace earthtop

@@ -37,6 +37,20 @@ Mat3<T> Body<T>::I_BBcm_B() const {
   return I_BP_B - point_mass_inertia(mass, p_PBcm_B);
 }
 
+/// Inverse of a symmetric 3x3 tensor by cofactors; for a diagonal tensor every diagonal entry is exactly 1/I.
+template <class T>
+Mat3<T> symmetric_inverse(const Mat3<T>& m) {
+  if (m(0, 1) == T(0) && m(0, 2) == T(0) && m(1, 2) == T(0))
+    return Vec3<T>(T(1) / m(0, 0), T(1) / m(1, 1), T(1) / m(2, 2)).asDiagonal();
+  const Vec3<T> a = m.col(0), b = m.col(1), c = m.col(2);
+  Mat3<T> cofactors;
+  cofactors.col(0) = b.cross(c);
+  cofactors.col(1) = c.cross(a);
+  cofactors.col(2) = a.cross(b);
+  const Mat3<T> inverse = cofactors / a.dot(b.cross(c));
+  return (inverse + inverse.transpose()) / T(2);
+}
+
 /// The body that a specification describes, in any precision: the given doubles are taken as exact.
 template <class T>
 Body<T> make_body(const BodySpec& spec);

@@ -20,7 +20,14 @@ struct InstantOnPivot {
   Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
+  T rotor_rate = T(0);  ///< relative to the body
 
+  /// The rotor's momentum about its axis: of a free rotor that of its inertial rate, of a driven one that of its rate in the body.
+  T rotor_momentum() const {
+    const Rotor<T>& rotor = model.rotor;
+    if (!rotor.present) return T(0);
+    return rotor.axial * (rotor.driven ? rotor_rate : T(rotor.axis_B.dot(w_IB_B()) + rotor_rate));
+  }
   Vec3<T> up_B() const { return rotation_matrix(q_LB).row(2).transpose(); }
   Vec3<T> w_IB_B() const { return w_LB_B + transposed_times(rotation_matrix(q_LB), W_IL_L); }
   /// m g l / I3 of a body whose centre of mass is on axis 1 (1/s^2).
@@ -46,6 +53,17 @@ struct InstantOnTable {
   }
 };
 
+/// What decides what a body on a pivot conserves.
+struct PivotConditions {
+  int symmetry_axis = -1;  ///< of a rigid body
+  bool alone = false;      ///< whether only gravity and the Earth's rotation act
+  bool has_rotor = false;
+  bool rotor_is_steady = false;  ///< whether neither friction nor a changing drive takes or gives energy
+  bool rotor_keeps_momentum = false;
+
+  bool conserves_energy() const { return alone && (!has_rotor || rotor_is_steady); }
+};
+
 /// Whether all of the Earth's torques act on a top on a table, and neither a tide nor the gradient of gravitation does; and what
 /// else decides what it conserves.
 struct TableConditions {
@@ -69,9 +87,21 @@ struct TableConditions {
 
 namespace conserved {
 
+/// With a rotor: h^2 / (2 C) of a free one, and -W.(h c) of any.
 template <class T>
 ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
-  return jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
+  ConservedValue<T> J =
+      jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
+  const Rotor<T>& rotor = i.model.rotor;
+  if (!rotor.present) return J;
+  const T h = i.rotor_momentum(), kinetic = rotor.driven ? T(0) : T(h * h / (T(2) * rotor.axial));
+  const T turning = h * rotor.axis_B.dot(transposed_times(rotation_matrix(i.q_LB), i.W_IL_L));
+  return {J.value + kinetic - turning, J.scale + kinetic + real::abs(turning)};
+}
+template <class T>
+ConservedValue<T> rotor_momentum(const InstantOnPivot<T>& i) {
+  const T h = i.rotor_momentum();
+  return {h, real::abs(h)};
 }
 template <class T>
 ConservedValue<T> jacobi(const InstantOnTable<T>& i) {
@@ -146,9 +176,9 @@ struct ConservedQuantity {
   int mass_power, rate_power;  ///< of the unit: kg^mass_power s^-rate_power; lengths are metres in natural units, too
   ConservingMotion motion;
   ConservedValue<T> (*on_pivot)(const InstantOnPivot<T>&);
-  /// Whether a plain scene on a pivot conserves it. Null where only special bodies and releases do: a run does not report it, and
+  /// Whether a scene on a pivot conserves it. Null where only special bodies and releases do: a run does not report it, and
   /// who names it in a criterion claims that the scene conserves it.
-  bool (*holds_on_pivot)(int symmetry_axis) = nullptr;
+  bool (*holds_on_pivot)(const PivotConditions&) = nullptr;
   ConservedValue<T> (*on_table)(const InstantOnTable<T>&) = nullptr;
   bool (*holds_on_table)(const TableConditions&) = nullptr;
 };
@@ -156,16 +186,21 @@ struct ConservedQuantity {
 /// All of them, in the order in which a run reports them.
 template <class T>
 inline constexpr ConservedQuantity<T> kConserved[] = {
-    {"jacobi_integral", "J", 1, 2, ConservingMotion::rotating, conserved::jacobi<T>, [](int) { return true; },
-     conserved::jacobi<T>, [](const TableConditions& table) { return table.conserves_energy(); }},
-    {"reference_energy", "J", 1, 2, ConservingMotion::reference, conserved::jacobi<T>, [](int) { return true; },
-     conserved::jacobi<T>, [](const TableConditions& table) { return table.conserves_energy(); }},
-    {"inertial_spin", "rad/s", 0, 1, ConservingMotion::rotating, conserved::spin<T>, [](int axis) { return axis >= 0; },
-     conserved::spin<T>, [](const TableConditions& table) { return table.conserves_spin(); }},
+    {"jacobi_integral", "J", 1, 2, ConservingMotion::rotating, conserved::jacobi<T>,
+     [](const PivotConditions& pivot) { return pivot.conserves_energy(); }, conserved::jacobi<T>,
+     [](const TableConditions& table) { return table.conserves_energy(); }},
+    {"reference_energy", "J", 1, 2, ConservingMotion::reference, conserved::jacobi<T>,
+     [](const PivotConditions& pivot) { return pivot.conserves_energy(); }, conserved::jacobi<T>,
+     [](const TableConditions& table) { return table.conserves_energy(); }},
+    {"inertial_spin", "rad/s", 0, 1, ConservingMotion::rotating, conserved::spin<T>,
+     [](const PivotConditions& pivot) { return pivot.alone && pivot.symmetry_axis >= 0; }, conserved::spin<T>,
+     [](const TableConditions& table) { return table.conserves_spin(); }},
     {"reference_jellett_integral", "kg m^3/s", 1, 1, ConservingMotion::reference, nullptr, nullptr, conserved::jellett<T>,
      [](const TableConditions& table) { return table.conserves_jellett(); }},
     {"reference_routh_integral", "kg m^2 rad/s", 1, 1, ConservingMotion::reference, nullptr, nullptr, conserved::routh<T>,
      [](const TableConditions& table) { return table.conserves_routh(); }},
+    {"rotor_momentum", "kg m^2/s", 1, 1, ConservingMotion::rotating, conserved::rotor_momentum<T>,
+     [](const PivotConditions& pivot) { return pivot.rotor_keeps_momentum; }},
     {"vertical_momentum", "kg m^2/s", 1, 1, ConservingMotion::about_up, conserved::vertical_momentum<T>},
     {"kovalevskaya", "1/s^4", 0, 4, ConservingMotion::about_up, conserved::kovalevskaya<T>},
     {"goryachev_chaplygin", "1/s^3", 0, 3, ConservingMotion::about_up, conserved::goryachev_chaplygin<T>},

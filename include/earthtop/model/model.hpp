@@ -9,14 +9,15 @@
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/model/rotor.hpp"
 #include "earthtop/model/torques.hpp"
 
 namespace earthtop {
 
-/// Two kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
+/// The kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
 /// at rest in the laboratory. `full`: each torque has a weight, a platform may carry the pivot, and further torques may be
-/// applied.
-enum class SceneKind { plain, full };
+/// applied. `gyrostat`: as `full`, and a rotor turns in the body.
+enum class SceneKind { plain, full, gyrostat };
 
 /// The weight of each of the torques of [F] (torques.hpp): 1, or 0 if the scene leaves it out.
 template <class T>
@@ -34,7 +35,7 @@ struct TorqueWeights {
 /// time): deviations divided by epsilon keep an ordinary magnitude for every Earth rate down to 1e-300 rad/s.
 template <class T>
 struct Model {
-  Mat3<T> I_BP_B;          ///< inertia about the pivot
+  Mat3<T> I_BP_B;          ///< inertia about the pivot; without the axial moment of a rotor that is not driven (rotor.hpp)
   Mat3<T> I_BP_B_inverse;  ///< its inverse
   Mat3<T> S_BP_B;          ///< second moment about the pivot
   Vec3<T> mass_moment_B;   ///< m r_cm
@@ -46,9 +47,10 @@ struct Model {
   Platform<T> platform;
   AppliedTorques<T> applied;
   TideSeries<T> tide;  ///< tide of the Moon and the Sun, added to apparent gravity
+  Rotor<T> rotor;
   SceneKind kind = SceneKind::plain;
   EARTHTOP_MEMBERS(I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, epsilon, W_IL_L_scaled, W_IL_L, weights,
-                   platform, applied, tide, kind)
+                   platform, applied, tide, rotor, kind)
 };
 
 /// Units of the model: masses in 2^mass_exponent kg, times in 2^time_exponent s. Powers of two change no digit. They bring all
@@ -127,15 +129,21 @@ Model<T> without_earth_rate(Model<T> model) {
 /// torque over epsilon. There is no transverse torque because the Earth rotates uniformly: the laboratory has no angular
 /// acceleration.
 /// @param w_LB_A  the body's rate relative to the laboratory   @param S_BP_A  second moment about the pivot
+/// @param velocity_moment_A  of all parts; those of a rigid body follow from its rate
 template <SceneKind K, class T>
-Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled, const Vec3<T>& w_LB_A,
-                          const Mat3<T>& S_BP_A) {
-  const Vec3<T> cor = coriolis_torque(W_A_scaled, velocity_moment(S_BP_A, w_LB_A));
+Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled,
+                          const Mat3<T>& velocity_moment_A, const Mat3<T>& S_BP_A) {
+  const Vec3<T> cor = coriolis_torque(W_A_scaled, velocity_moment_A);
   const Vec3<T> cent = centrifugal_torque(W_A, W_A_scaled, S_BP_A);
   if constexpr (K == SceneKind::plain)
     return cor + cent;
   else
     return weights.coriolis * cor + weights.centrifugal * cent;
+}
+template <SceneKind K, class T>
+Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled, const Vec3<T>& w_LB_A,
+                          const Mat3<T>& S_BP_A) {
+  return laboratory_torque<K>(weights, W_A, W_A_scaled, velocity_moment(S_BP_A, w_LB_A), S_BP_A);
 }
 
 }  // namespace earthtop

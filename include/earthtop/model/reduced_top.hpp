@@ -57,7 +57,8 @@ template <class T>
 bool is_reducible_when_driven(const Model<T>& model) {
   const AppliedTorques<T>& applied = model.applied;
   const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
-  return axis >= 0 && !applied.level_axis && (axis == 2 || !applied.has_disc()) && model.weights.all_act();
+  return axis >= 0 && model.kind != SceneKind::gyrostat && !applied.level_axis && (axis == 2 || !applied.has_disc()) &&
+         model.weights.all_act();
 }
 
 /// Whether a model is a wheel symmetric about body axis 3 in a gimbal that keeps it level in the laboratory: a compass. Its

@@ -20,6 +20,7 @@
 #include "earthtop/model/ledger_row.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
+#include "earthtop/model/rotor_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
 
 namespace earthtop {
@@ -73,7 +74,8 @@ struct Scenario {
   double rotation_rate_rad_s = kEarthRateWgs84;
   double excess_length_of_day_ms = 0;
   double gravity_anomaly_m_s2 = 0;
-  BodySpec body;
+  BodySpec body;                   ///< without the rotor
+  std::optional<RotorSpec> rotor;  ///< that turns in the body; none: a rigid body
   ReleaseSpec release;
   double duration_s = 0;
   std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z

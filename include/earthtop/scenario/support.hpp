@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What carries a top: a fixed pivot, a platform, a gimbal or a table. What is known of a support before anything is computed is one row
+/// What carries a top, and what turns in it: a fixed pivot, a platform, a gimbal, a rotor or a table. What is known of a support before anything is computed is one row
 /// of a table; its equations, its checks and its reports are in sources of its own.
 #pragma once
 
@@ -12,9 +12,9 @@
 namespace earthtop {
 
 /// In the order of the table: a top is carried by the first support that its scenario asks for.
-enum class SupportKind : std::uint8_t { table, platform, gimbal, pivot };
+enum class SupportKind : std::uint8_t { table, rotor, platform, gimbal, pivot };
 
-inline constexpr std::size_t kSupportCount = 4;
+inline constexpr std::size_t kSupportCount = 5;
 
 /// A support, by what the rest of the program asks of it. Where something is not available on it, a text says so and what to do
 /// instead; the text is empty where it is available.
@@ -26,6 +26,7 @@ struct Support {
   bool is_fixed_pivot = false;
   /// Whether the tip moves: rows, files and pages have its path, its slip and the force on it.
   bool has_contact = false;
+  bool has_rotor = false;              ///< whether a rotor turns in the body: rows and files have its rate and its angle
   bool may_damp = false;               ///< whether it may brake the body itself, beside the friction among the effects
   bool drives = false;                 ///< whether the motion may come to other rates than those of its release
   std::string_view no_exact_motion{};  ///< of a method, after its name
@@ -33,6 +34,15 @@ struct Support {
   std::string_view no_effect_sizes{};  ///< of the effect budget
   std::string_view no_trend{};         ///< of a secular drift
 };
+
+/// Whether a scenario's rotor turns about body axis 3 of a cage that is symmetric about it.
+bool has_symmetric_cage(const Scenario& scenario);
+
+/// Whether a scenario's rotor turns about the symmetry axis of a symmetric cage on which nothing brakes its turn about that axis. Axis and
+/// attitude drift then as those of a rigid top do, whatever the bearing or the motor does: with L the momentum along the axis, I3 that of
+/// both and I3 w3 = L. So the scene is that of this rigid top, and the rows get the cage's own turn and the rotor. Not with dry friction in
+/// the bearing, which leaves no closed form of the turn, nor where the general model or the torques of a gyrostat are asked for.
+bool is_caged_top(const Scenario& scenario);
 
 /// Returns what carries the top of a scenario.
 const Support& support_of(const Scenario& scenario);

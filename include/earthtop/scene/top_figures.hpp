@@ -28,6 +28,9 @@ struct TopFigures {
   std::array<double, 3> moments_about_pivot_kg_m2{};
   std::array<double, 3> moments_about_center_kg_m2{};
   double spin_rad_s = 0;  ///< component of the rate at release along body axis 3
+  /// Of a gyrostat: the rotor's rate relative to the body at release (rad/s), and its momentum about its axis, of a driven one that of this
+  /// rate (kg m^2/s).
+  std::optional<double> rotor_spin_rad_s, rotor_momentum_kg_m2_s;
 
   /// The steady precessions of a symmetric top at this tilt and spin (rad/s, counterclockwise about Up): the roots of
   /// I1 cos(tilt) x^2 - I3 w3 x + m g l = 0 [Landau and Lifshitz, Mechanics, section 35]. If the axis is vertical: the rates of a

@@ -304,7 +304,7 @@ class Differences {
     if (torque_of(d) == 0) return Axes::zero(samples_.size());
     Problem other = problem_;
     const bool has_tide = !problem_.model.tide.empty();
-    other.model.kind = SceneKind::full;
+    if (other.model.kind == SceneKind::plain) other.model.kind = SceneKind::full;
     other.model.tide = has_tide ? TideSeries<double>() : d.tide;
     const DriftTrajectory<double> run = integrate_drift(other, methods_.driven, next_part());
     if (!note(run)) return std::nullopt;

@@ -321,6 +321,7 @@ GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind
   if (!has_smooth_series(problem, duration_s)) return follow<AnyBodyMotion, CornerSteps>(one, duration_s, tolerance, watch);
   if (is_compass(one.model)) return follow<WheelMotion, SeriesSteps>(one, duration_s, tolerance, watch);
   if (is_reducible_when_driven(one.model)) return follow<SpinlessMotion, SeriesSteps>(one, duration_s, tolerance, watch);
+  if (one.model.kind == SceneKind::gyrostat) return follow<GyrostatMotion, SeriesSteps>(one, duration_s, tolerance, watch);
   return one.model.kind == SceneKind::plain ? follow<AnyBodyMotion, PlainSteps>(one, duration_s, tolerance, watch)
                                             : follow<AnyBodyMotion, SeriesSteps>(one, duration_s, tolerance, watch);
 }

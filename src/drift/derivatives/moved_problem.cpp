@@ -66,7 +66,7 @@ DriftProblem<double> moved(const DriftProblem<double>& problem, const ProblemDer
   for_each_derivative(move, d, model);
   if (!d.I_BP_B.isZero(0)) model.I_BP_B_inverse = model.I_BP_B.inverse();
   model.W_IL_L = model.epsilon * model.W_IL_L_scaled;
-  if (adds_torque(d)) model.kind = SceneKind::full;
+  if (adds_torque(d) && model.kind == SceneKind::plain) model.kind = SceneKind::full;
   Release<double>& release = p.release;
   if (d.q_LB.w != 0 || norm(d.q_LB.v) != 0)
     release.q_LB = Quaternion<double>{release.q_LB.w + h * d.q_LB.w, release.q_LB.v + h * d.q_LB.v}.normalized();

@@ -29,20 +29,18 @@ struct Turning {
   S phase;
 };
 
-/// Any body: the state is the attitude q (4) and the inertial rate in body axes (3).
-class AnyBodyMotion {
+/// Any body: the state is the attitude q (4), the inertial rate in body axes (3) and, of a gyrostat, its rotor's momentum about its axis.
+template <SceneKind K>
+class BodyMotion {
  public:
-  using Shape = GeneralMotionShape;
+  using Shape = GeneralMotionShape<K>;
   using State = std::array<double, Shape::kSize>;
   static int axis() { return 2; }
 
-  explicit AnyBodyMotion(const MotionProblem<double>& problem, const Motion<double>& release)
+  explicit BodyMotion(const MotionProblem<double>& problem, const Motion<double>& release)
       : model_(problem.model), release_(release) {}
 
-  State initial_state() const {
-    const auto& [q, w] = release_;
-    return {q.w, q.v[0], q.v[1], q.v[2], w[0], w[1], w[2]};
-  }
+  State initial_state() const { return state(release_.q, release_.m, model_.rotor.spin); }
   template <class S>
   Turning<S> turning(const std::array<S, Shape::kSize>& x) const {
     return {rotation_matrix(load_quaternion(x, 0)), load_vector(x, 4), S(0)};
@@ -50,14 +48,24 @@ class AnyBodyMotion {
   /// @param theta_B, dw_B  turn of the attitude and change of the inertial rate, in body axes
   State change(const State& x, const Vec3<double>& theta_B, const Vec3<double>& dw_B) const {
     const Quaternion<double> dq = load_quaternion(x, 0) * Quaternion<double>{0, Vec3<double>(theta_B / 2)};
-    return {dq.w, dq.v[0], dq.v[1], dq.v[2], dw_B[0], dw_B[1], dw_B[2]};
+    return state(dq, dw_B, 0);
   }
   taylor::Operations<double> record(std::span<const double> x, double t) const { return record_motion(model_, x, t); }
 
  private:
+  /// @param spin  of the rotor relative to the body
+  State state(const Quaternion<double>& q, const Vec3<double>& w_B, [[maybe_unused]] double spin) const {
+    State x{q.w, q.v[0], q.v[1], q.v[2], w_B[0], w_B[1], w_B[2]};
+    if constexpr (K == SceneKind::gyrostat) x[7] = model_.rotor.axial * (model_.rotor.axis_B.dot(w_B) + spin);
+    return x;
+  }
+
   const Model<double>& model_;
   Motion<double> release_;
 };
+
+using AnyBodyMotion = BodyMotion<SceneKind::full>;
+using GyrostatMotion = BodyMotion<SceneKind::gyrostat>;
 
 /// A symmetric top without its spin, in laboratory axes, which turn at W. With the torques tau on the axis n and along it:
 ///

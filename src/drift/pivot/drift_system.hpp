@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The right-hand side of a drift integration, for any body. It works on one state vector:
 ///   [0,7) non-rotating reference   7 deviation w   [8,11) y   [11,14) p   [14,21) rotating motion, where it is integrated
+/// With a rotor in the body (rotor.hpp) the rotating motion is never integrated, and there are
+///   14 deviation of h   15 h of the reference   16 its rotor's angle minus that of a steady spin   17 deviation of the angle
 #pragma once
 
 #include <array>
@@ -22,6 +24,7 @@ namespace drift_state {
 constexpr std::size_t kReference = 0;
 constexpr std::size_t kDeviation = 7;
 constexpr std::size_t kRotating = 14;
+constexpr std::size_t kMomentumDeviation = 14, kMomentum = 15, kAngle = 16, kAngleDeviation = 17;  // of a rotor
 
 template <class T, std::size_t N>
 Motion<T> load_motion(const std::array<T, N>& x, std::size_t at) {
@@ -52,10 +55,12 @@ T longest_unseen_step(const DriftProblem<T>& problem) {
   return T(1.5) / problem.fastest_rate;
 }
 
-/// The shape of a state: the reference's attitude and rate, the deviation, and where it is integrated the rotating motion.
-template <RotatingMotion R>
+/// The shape of a state: the reference's attitude and rate, the deviation, and where it is integrated the rotating motion, or what is
+/// said of a rotor.
+template <RotatingMotion R, bool kRotor = false>
 struct DriftShape {
-  static constexpr std::size_t kSize = R == RotatingMotion::integrated ? 21 : 14;
+  static_assert(R == RotatingMotion::composed || !kRotor);
+  static constexpr std::size_t kSize = R == RotatingMotion::integrated ? 21 : kRotor ? 18 : 14;
   /// Attitudes and rates are measured against their own size. The vectors y and p of the deviation are one group: where one of
   /// them vanishes, as that of the rates does at a pole, its round-off is that of the other. As the deviation starts from zero,
   /// its size has a floor.
@@ -64,25 +69,27 @@ struct DriftShape {
         {{0, 4, 1.0}, {4, 3, 1e-3}, {7, 1, 1.0}, {8, 6, 1e-5}, {14, 4, 1.0}, {18, 3, 1e-3}}};
     if constexpr (R == RotatingMotion::integrated)
       return all;
+    else if constexpr (kRotor)
+      return std::array<ComponentGroup, 7>{{all[0], all[1], all[2], {8, 7, 1e-5}, {15, 1, 1e-3}, {16, 1, 2.0}, {17, 1, 2.0}}};
     else
       return std::array<ComponentGroup, 4>{all[0], all[1], all[2], all[3]};
   }
 };
 
 /// The base class that names a system's Taylor series. There is one only where the rotating motion is composed.
-template <class T, RotatingMotion R>
-using DriftSeriesOf =
-    std::conditional_t<R == RotatingMotion::composed, WithSeries<RecordedSeries<T, DriftShape<R>::kSize>>, WithoutSeries>;
+template <class T, RotatingMotion R, bool kRotor>
+using DriftSeriesOf = std::conditional_t<R == RotatingMotion::composed,
+                                         WithSeries<RecordedSeries<T, DriftShape<R, kRotor>::kSize>>, WithoutSeries>;
 
 /// @tparam O  the observer whose equations are integrated; known at compile time, so that the right-hand side has no branch
 /// @tparam R  whether the rotating motion is integrated too, or composed from the reference and the deviation
 template <class T, Observer O, SceneKind K, RotatingMotion R>
-class DriftSystem : public DriftSeriesOf<T, R> {
+class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
  public:
-  static constexpr bool kIntegrated = R == RotatingMotion::integrated;
+  static constexpr bool kIntegrated = R == RotatingMotion::integrated, kGyrostat = K == SceneKind::gyrostat;
   static constexpr bool kSettles = O == Observer::body && K == SceneKind::full && kIntegrated;  ///< whether motions can stop
   static constexpr bool kBoundOnly = !kIntegrated;  ///< used only by the second integration of a run, and by the series
-  using Shape = DriftShape<R>;
+  using Shape = DriftShape<R, kGyrostat>;
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
   explicit DriftSystem(const Model<T>& model) : model_(model) {}
@@ -92,6 +99,8 @@ class DriftSystem : public DriftSeriesOf<T, R> {
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
     const PivotField<T> field = pivot_field<K>(model_, t);
+    const auto inside = inside_both(x, t, reference, deviation);
+    const auto inside_reference = of_reference(inside);
     Motion<T> reference_rate, rotating_rate;
     Deviation<T> deviation_rate;
     if constexpr (O == Observer::laboratory) {
@@ -101,28 +110,36 @@ class DriftSystem : public DriftSeriesOf<T, R> {
         rotating_rate = laboratory_equation(model_, rotating, field.rotating_L, torque_L);
       }
       const Vec3<T> no_torque = Vec3<T>::Zero();
-      reference_rate = laboratory_equation(model_, reference, field.reference_L, no_torque);
-      deviation_rate = laboratory_deviation_equation<K>(model_, reference, deviation, field);
+      reference_rate = laboratory_equation(model_, reference, field.reference_L, no_torque, inside_reference);
+      deviation_rate = laboratory_deviation_equation<K>(model_, reference, deviation, field, inside);
     } else if constexpr (O == Observer::body) {
       if constexpr (kIntegrated) rotating_rate = body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L);
-      reference_rate = body_equation<false, K>(model_, reference, field.reference_L);
-      deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field);
+      reference_rate = body_equation<false, K>(model_, reference, field.reference_L, inside_reference);
+      deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field, inside);
     } else {
       const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
       const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
       const Mat3<T> unturned = Mat3<T>::Identity();
       if constexpr (kIntegrated)
         rotating_rate = inertial_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L, R_NL);
-      reference_rate = inertial_equation<false, K>(model_, reference, field.reference_L, unturned);
-      deviation_rate = inertial_deviation_equation<K>(model_, reference, deviation, field, turn);
+      reference_rate = inertial_equation<false, K>(model_, reference, field.reference_L, unturned, inside_reference);
+      deviation_rate = inertial_deviation_equation<K>(model_, reference, deviation, field, turn, inside);
     }
-    if constexpr (K == SceneKind::full)
+    if constexpr (K != SceneKind::plain)
       if (model_.applied.any) add_applied_torques(x, t, reference_rate, deviation_rate, rotating_rate);
     if constexpr (kSettles)
       if (rest_.any()) hold(x, t, reference_rate, deviation_rate, rotating_rate);
     if constexpr (kIntegrated) store_motion(rotating_rate, dxdt, kRotating);
     store_motion(reference_rate, dxdt, kReference);
     store_deviation(deviation_rate, dxdt);
+    if constexpr (kGyrostat) {
+      dxdt[kMomentum] = inside.torque.ref;
+      dxdt[kMomentumDeviation] = inside.torque.diff;
+      dxdt[kAngle] = inside.spin.ref - model_.rotor.spin;
+      dxdt[kAngleDeviation] = inside.spin.diff;
+      if constexpr (O == Observer::laboratory)
+        if (!model_.rotor.driven) dxdt[kMomentumDeviation] += laboratory_torque_on_rotor(reference, deviation, inside);
+    }
   }
 
   auto series() const {
@@ -149,12 +166,24 @@ class DriftSystem : public DriftSeriesOf<T, R> {
       drift_state::store_motion<T>({q_LB, reference}, x, drift_state::kReference);
       drift_state::store_deviation<T>({T(1), zero, deviation}, x);
     };
+    // The rotor turns at the same rate relative to the body in both motions.
+    const Vec3<T>& Dw_B = O == Observer::laboratory ? Dw_LB_B : Dw_IB_B;
+    Vec3<T> reference_B = model_.I_BP_B * w_XB_B, deviation_B = model_.I_BP_B * Dw_B;
+    if constexpr (kGyrostat) {
+      const Rotor<T>& rotor = model_.rotor;
+      // A driven rotor has the momentum that its motor gives it, which is no variable.
+      x[drift_state::kMomentum] = rotor.axial * (rotor.driven ? rotor.spin : T(rotor.axis_B.dot(w_XB_B) + rotor.spin));
+      x[drift_state::kAngle] = x[drift_state::kAngleDeviation] = T(0);
+      x[drift_state::kMomentumDeviation] = rotor.driven ? T(0) : T(rotor.axial * rotor.axis_B.dot(Dw_B));
+      reference_B += x[drift_state::kMomentum] * rotor.axis_B;
+      deviation_B += x[drift_state::kMomentumDeviation] * rotor.axis_B;
+    }
     if constexpr (O == Observer::laboratory)
-      store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * (model_.I_BP_B * w_XB_B), R_LB * (model_.I_BP_B * Dw_LB_B));
+      store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * reference_B, R_LB * deviation_B);
     else if constexpr (O == Observer::body)
-      store(w_IB_B, w_XB_B, model_.I_BP_B * Dw_IB_B);
+      store(w_IB_B, w_XB_B, deviation_B);
     else
-      store(R_LB * (model_.I_BP_B * w_IB_B), R_LB * (model_.I_BP_B * w_XB_B), R_LB * (model_.I_BP_B * Dw_IB_B));
+      store(R_LB * (model_.I_BP_B * w_IB_B), R_LB * reference_B, R_LB * deviation_B);
     return x;
   }
 
@@ -162,9 +191,13 @@ class DriftSystem : public DriftSeriesOf<T, R> {
   DriftState<T> shared_state(const State& x, T t) const {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
-    const Motion<T> rotating = rotating_motion(x, reference, load_deviation(x));
+    const Deviation<T> deviation = load_deviation(x);
+    const auto inside = inside_both(x, t, reference, deviation);
+    const Motion<T> rotating = rotating_motion(x, reference, deviation, inside);
     const auto body_rate = [&](const Motion<T>& m) {
-      return times(model_.I_BP_B_inverse, transposed_times(rotation_matrix(m.q), m.m));
+      Vec3<T> momentum_B = transposed_times(rotation_matrix(m.q), m.m);
+      if constexpr (kGyrostat) momentum_B -= &m == &reference ? inside.reference.momentum_B : inside.rotating_B;
+      return times(model_.I_BP_B_inverse, momentum_B);
     };
     const auto earth_rate = [&](const Quaternion<T>& q_LB) { return transposed_times(rotation_matrix(q_LB), model_.W_IL_L); };
     DriftState<T> s = deviation_state(x, t);
@@ -181,6 +214,14 @@ class DriftSystem : public DriftSeriesOf<T, R> {
       s.ref_w_LB_B = body_rate(reference);
     }
     return s;
+  }
+
+  /// The rotor in both motions, with rates in natural units.
+  RotorState<T> rotor_state(const State& x, T t) const requires(kGyrostat) {
+    const auto inside = inside_both(x, t, drift_state::load_motion(x, drift_state::kReference), drift_state::load_deviation(x));
+    const T angle = model_.rotor.spin * t + x[drift_state::kAngle], difference = x[drift_state::kAngleDeviation];
+    return {inside.spin.rot, inside.spin.ref, inside.spin.diff,   angle + model_.epsilon * difference,
+            angle,           difference,      model_.rotor.axis_B};
   }
 
   /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
@@ -243,13 +284,52 @@ class DriftSystem : public DriftSeriesOf<T, R> {
   void follow(const State&) {}
 
  private:
-  Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation) const {
+  /// What turns inside the body in both motions.
+  auto inside_both([[maybe_unused]] const State& x, [[maybe_unused]] T t, [[maybe_unused]] const Motion<T>& reference,
+                   [[maybe_unused]] const Deviation<T>& deviation) const {
+    if constexpr (kGyrostat) {
+      const Mat3<T> R_ref = rotation_matrix(reference.q);
+      const auto rate = [&](const Vec3<T>& momentum_B) -> Vec3<T> {
+        if constexpr (O == Observer::body)
+          return reference.m;
+        else
+          return times<T>(model_.I_BP_B_inverse, transposed_times(R_ref, reference.m) - momentum_B);
+      };
+      const auto difference = [&](const Vec3<T>& momentum_B_scaled) -> Vec3<T> {
+        const Vec3<T> p_B = O == Observer::body ? deviation.p : Vec3<T>(transposed_times(R_ref, deviation.p));
+        return times<T>(model_.I_BP_B_inverse, p_B - momentum_B_scaled);
+      };
+      const auto h = Paired<T>::apart(x[drift_state::kMomentum], x[drift_state::kMomentumDeviation], model_.epsilon);
+      return rotor_inside_both(model_.rotor, h, model_.epsilon, t, rate, difference);
+    } else {
+      return NothingInside{};
+    }
+  }
+  static NothingInside of_reference(const NothingInside& nothing) { return nothing; }
+  static const RotorInside<T>& of_reference(const RotorInsideBoth<T>& both) { return both.reference; }
+
+  /// The torques of [F] on the rotor alone about its axis, over epsilon. Its centre, which is carried with the body, gives none.
+  T laboratory_torque_on_rotor(const Motion<T>& reference, const Deviation<T>& deviation,
+                               const RotorInsideBoth<T>& inside) const {
+    const Mat3<T> R_ref = rotation_matrix(reference.q);
+    const Vec3<T> W_B_scaled = earth_rate_in_body_scaled(model_, R_ref, deviation);
+    const Vec3<T> momentum_B = transposed_times(R_ref, Vec3<T>(reference.m + model_.epsilon * deviation.p));
+    const Vec3<T> w_LB_B = times<T>(model_.I_BP_B_inverse, momentum_B - inside.rotating_B);
+    const Mat3<T> J_B = velocity_moment_B(model_.rotor.S_B, w_LB_B, inside);
+    const Vec3<T> W_B = model_.epsilon * W_B_scaled;
+    return model_.rotor.axis_B.dot(laboratory_torque<K>(model_.weights, W_B, W_B_scaled, J_B, model_.rotor.S_B));
+  }
+
+  template <class Inside>
+  Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation,
+                            const Inside& inside) const {
     const T epsilon = model_.epsilon;
     const Quaternion<T> e{deviation.w, epsilon * deviation.y};
     if constexpr (kIntegrated) {
       return drift_state::load_motion(x, drift_state::kRotating);
     } else if constexpr (O == Observer::body) {
-      return {reference.q * e, reference.m + epsilon * times(model_.I_BP_B_inverse, deviation.p)};
+      return {reference.q * e,
+              reference.m + epsilon * times<T>(model_.I_BP_B_inverse, without_difference(deviation.p, inside))};
     } else {
       return {e * reference.q, times(rotation_matrix(e), Vec3<T>(reference.m + epsilon * deviation.p))};
     }
@@ -261,8 +341,9 @@ class DriftSystem : public DriftSeriesOf<T, R> {
     const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
     const Mat3<T> R_ref = rotation_matrix(reference.q);  // the same in L and in N, which is parallel to the reference's L
     const DriftState<T> s = shared_state(x, t);
-    const Vec3<T> p = drift_state::load_deviation(x).p;
-    Vec3<T> Dw_IB_B_scaled = times(model_.I_BP_B_inverse, O == Observer::body ? p : Vec3<T>(transposed_times(R_ref, p)));
+    const Deviation<T> deviation = drift_state::load_deviation(x);
+    const Vec3<T> p_B = O == Observer::body ? deviation.p : Vec3<T>(transposed_times(R_ref, deviation.p));
+    Vec3<T> Dw_IB_B_scaled = times<T>(model_.I_BP_B_inverse, without_difference(p_B, inside_both(x, t, reference, deviation)));
     if constexpr (O == Observer::laboratory) Dw_IB_B_scaled += earth_rate_scaled(s);
     const Vec3<Paired<T>> torques = applied_torques_B(model_, t, s.ref_q_LB, s.ref_w_LB_B, s.e_w, s.e_v_scaled, Dw_IB_B_scaled);
     const Vec3<T> on_reference = parts(torques, &Paired<T>::ref), difference = parts(torques, &Paired<T>::diff);

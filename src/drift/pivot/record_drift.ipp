@@ -14,13 +14,18 @@
 namespace earthtop {
 namespace {
 
-template <class T, Observer O>
-taylor::Operations<T> record_general(const Model<T>& model, std::span<const T> x, T t) {
+template <class T, Observer O, SceneKind K>
+taylor::Operations<T> record_system(const Model<T>& model, std::span<const T> x, T t) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
   const Model<R> made = recorded(model);
-  const DriftSystem<R, O, SceneKind::full, RotatingMotion::composed> system(made);
-  return recorded_equations<T, DriftShape<RotatingMotion::composed>::kSize>(system, recording, x, t);
+  using System = DriftSystem<R, O, K, RotatingMotion::composed>;
+  return recorded_equations<T, System::kSize>(System(made), recording, x, t);
+}
+template <class T, Observer O>
+taylor::Operations<T> record_general(const Model<T>& model, std::span<const T> x, T t) {
+  if (model.kind == SceneKind::gyrostat) return record_system<T, O, SceneKind::gyrostat>(model, x, t);
+  return record_system<T, O, SceneKind::full>(model, x, t);
 }
 
 template <class T, template <class, Observer> class Equations, Observer O>
@@ -35,7 +40,9 @@ Equations<real::Recorded<T>, O> recorded(const Equations<T, O>& equations) {
 template <class T>
 taylor::Operations<T> record_drift(const Model<T>& model, Observer observer, std::span<const T> x, T t) {
   switch (observer) {
-    case Observer::laboratory: break;
+    case Observer::laboratory:
+      if (model.kind == SceneKind::gyrostat) return record_system<T, Observer::laboratory, SceneKind::gyrostat>(model, x, t);
+      break;
     case Observer::body: return record_general<T, Observer::body>(model, x, t);
     case Observer::inertial: return record_general<T, Observer::inertial>(model, x, t);
   }

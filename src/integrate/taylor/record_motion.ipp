@@ -11,14 +11,24 @@
 
 namespace earthtop {
 
-template <class T>
-taylor::Operations<T> record_motion(const Model<T>& model, std::span<const T> x, T t) {
+namespace {
+
+template <SceneKind K, class T>
+taylor::Operations<T> record_body_motion(const Model<T>& model, std::span<const T> x, T t) {
   using R = real::Recorded<T>;
   taylor::Recording<T> recording;
   MotionProblem<R> problem;
   problem.model = recorded(model);
-  const GeneralMotionSystem<R, Observer::body, SceneKind::full> system(problem);
-  return recorded_equations<T, GeneralMotionShape::kSize>(system, recording, x, t);
+  using System = GeneralMotionSystem<R, Observer::body, K>;
+  return recorded_equations<T, System::kSize>(System(problem), recording, x, t);
+}
+
+}  // namespace
+
+template <class T>
+taylor::Operations<T> record_motion(const Model<T>& model, std::span<const T> x, T t) {
+  if (model.kind == SceneKind::gyrostat) return record_body_motion<SceneKind::gyrostat>(model, x, t);
+  return record_body_motion<SceneKind::full>(model, x, t);
 }
 
 }  // namespace earthtop

@@ -440,6 +440,13 @@ def along_the_earth_s_axis(lever_m, duration_s):
             "/motion/duration_s": duration_s, "/motion/output_step_s": duration_s}
 
 
+ROTOR = {"mass_kg": 0.02, "axial_kg_m2": 1e-5, "transverse_kg_m2": 6e-6, "spin_rad_s": 300}
+GYROSTAT = [
+    Case(RUN, ["rotor +0.000000e+00 rad/s, +0.000000e+00 rad, relative to the body",
+               "300 rad/s (2864.79 rpm) relative to the body, momentum 0.003 kg m²/s"],
+         set={"/rotor": ROTOR, "/release/spin_rad_s": 0, "/motion/duration_s": 2}, unless={"/rotor": None}),
+]
+
 ANOTHER = [
     Case(RUN, 'long_horizon, which "auto" chooses here, was tried first: no drift by it can be trusted', scenario="fast-gyro",
          set=along_the_earth_s_axis(1e-15, 100), unless={"/release/azimuth_deg": 90}),
@@ -447,4 +454,4 @@ ANOTHER = [
          set=along_the_earth_s_axis(1e-18, 80), unless={"/numerics": {"method": "long_horizon"}}),
 ]
 
-CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE + ANOTHER
+CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE + GYROSTAT + ANOTHER

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A gyrostat, a body in which a rotor turns (rotor.hpp), from its specification.
+#pragma once
+
+#include "earthtop/model/model.hpp"
+#include "earthtop/model/rotor_spec.hpp"
+
+namespace earthtop {
+
+/// The rotor in SI units.
+template <class T>
+Rotor<T> make_rotor(const RotorSpec& spec);
+
+/// Body and rotor together: `S_BP_B`, mass and centre of mass are those of both.
+/// @param cage  the body without the rotor; its own tensor may be singular
+/// @param whole  whether `I_BP_B` has the rotor's axial moment, as the equations of a driven rotor take it
+template <class T>
+Body<T> gyrostat_body(const Body<T>& cage, const RotorSpec& rotor, bool whole);
+
+/// Makes the model of `gyrostat_body` that of a gyrostat.   @param rotor  in SI units
+template <class T>
+void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units);
+
+#define EARTHTOP_ROTOR(T)                                                        \
+  extern template Rotor<T> make_rotor(const RotorSpec&);                         \
+  extern template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
+  extern template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
+EARTHTOP_ROTOR(double)
+EARTHTOP_ROTOR(long double)
+EARTHTOP_ROTOR(float128)
+#undef EARTHTOP_ROTOR
+
+}  // namespace earthtop

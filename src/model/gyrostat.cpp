@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "earthtop/model/gyrostat.hpp"
+
+#include <utility>
+
+namespace earthtop {
+namespace {
+
+template <class T>
+Vec3<T> vector(const std::array<double, 3>& v) {
+  return {T(v[0]), T(v[1]), T(v[2])};
+}
+template <class T>
+Vec3<T> unit_axis(const RotorSpec& spec) {
+  const Vec3<T> axis = vector<T>(spec.axis);
+  return axis / norm(axis);
+}
+
+}  // namespace
+
+template <class T>
+Rotor<T> make_rotor(const RotorSpec& spec) {
+  Rotor<T> rotor;
+  rotor.present = true;
+  rotor.driven = spec.drive != RotorDrive::none;
+  rotor.axis_B = unit_axis<T>(spec);
+  rotor.axial = T(spec.axial_kg_m2);
+  const Mat3<T> across = Mat3<T>::Identity() - rotor.axis_B * rotor.axis_B.transpose();
+  rotor.S_B = (rotor.axial / T(2)) * across +
+              (T(spec.transverse_kg_m2) - rotor.axial / T(2)) * (rotor.axis_B * rotor.axis_B.transpose());
+  rotor.spin = T(spec.spin_rad_s);
+  rotor.viscous = T(spec.viscous_torque_N_m_s);
+  rotor.coulomb = T(spec.coulomb_torque_N_m);
+  rotor.regularisation = T(spec.regularisation_rad_s);
+  switch (spec.drive) {
+    case RotorDrive::none: break;
+    case RotorDrive::constant: rotor.drive.angle0 = rotor.spin; break;
+    case RotorDrive::ramp:
+      rotor.drive.angle0 = rotor.spin;
+      rotor.drive.rate = T(spec.acceleration_rad_s2);
+      break;
+    case RotorDrive::harmonic:
+      rotor.drive.angle0 = rotor.spin;
+      rotor.drive.amplitude = T(spec.amplitude_rad_s);
+      rotor.drive.frequency = T(spec.frequency_hz);
+      rotor.drive.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
+      break;
+  }
+  if (rotor.driven) rotor.spin = rotor.driven_rate(T(0));
+  return rotor;
+}
+
+template <class T>
+Body<T> gyrostat_body(const Body<T>& cage, const RotorSpec& spec, bool whole) {
+  const Vec3<T> center_B = vector<T>(spec.center_m), axis_B = unit_axis<T>(spec);
+  const T mass = T(spec.mass_kg), axial = T(spec.axial_kg_m2);
+  const Mat3<T> about_axis = axis_B * axis_B.transpose();
+  Body<T> body;
+  body.mass = cage.mass + mass;
+  body.p_PBcm_B = (cage.mass * cage.p_PBcm_B + mass * center_B) / body.mass;
+  const Mat3<T> I =
+      cage.I_BP_B + point_mass_inertia(mass, center_B) + T(spec.transverse_kg_m2) * (Mat3<T>::Identity() - about_axis);
+  const Mat3<T> of_both = I + axial * about_axis;
+  body.I_BP_B = whole ? of_both : I;
+  body.S_BP_B = (of_both.trace() / T(2)) * Mat3<T>::Identity() - of_both;
+  body.I_BP_B_inverse = symmetric_inverse(body.I_BP_B);
+  return body;
+}
+
+template <class T>
+void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units) {
+  const auto scale = [](T& x, int exponent) { x = real::scale(x, exponent); };
+  const int time = units.time_exponent, mass = units.mass_exponent;
+  scale(rotor.axial, -mass);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) scale(rotor.S_B(i, j), -mass);
+  scale(rotor.spin, time);
+  scale(rotor.regularisation, time);
+  scale(rotor.rate_unit, time);
+  scale(rotor.viscous, time - mass);
+  scale(rotor.coulomb, 2 * time - mass);
+  rotor.drive = in_time_units(rotor.drive, time);
+  model.rotor = std::move(rotor);
+  model.kind = SceneKind::gyrostat;
+}
+
+#define EARTHTOP_ROTOR(T)                                                 \
+  template Rotor<T> make_rotor(const RotorSpec&);                         \
+  template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
+  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
+EARTHTOP_ROTOR(double)
+EARTHTOP_ROTOR(long double)
+EARTHTOP_ROTOR(float128)
+#undef EARTHTOP_ROTOR
+
+}  // namespace earthtop

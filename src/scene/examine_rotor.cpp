@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks of a body in which a rotor turns, and its unit of time.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/support_laws.hpp"
+
+namespace earthtop {
+
+void RotorLaws::check(const input::Section& root, const Scene& scene) const {
+  const Scenario& scenario = scene.scenario();
+  const EffectsSpec& effects = scenario.effects;
+  const input::Section given = root.section("effects");
+  const auto refuse = [&](const char* key, bool is_given, const char* why) {
+    if (is_given) given.refuse_key(key, std::string("is not available with /rotor: ") + why + "; leave one of the two out");
+  };
+  refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
+  refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel");
+  refuse("gravity_gradient", effects.applied.gravity_gradient.has_value(), "its torque on a gyrostat is not modelled");
+  refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, "dry friction at the pivot of a gyrostat is not modelled");
+  constexpr const char* kWhole = "the torques of a rotor's own motion belong to all three";
+  refuse("coriolis", !effects.coriolis, kWhole);
+  refuse("centrifugal", !effects.centrifugal, kWhole);
+  refuse("transverse", !effects.transverse, kWhole);
+  if (scenario.platform)
+    root.refuse_key("platform",
+                    "is not available with /rotor: a gyrostat on a platform is not modelled; leave one of the two out");
+  if (scenario.ledger)
+    root.section("numerics")
+        .refuse_key("ledger", "is not available with /rotor: the torques of a gyrostat are not listed; leave it out");
+}
+
+void RotorLaws::fit_units(const Scene& scene, NaturalUnits& units) const {
+  int exponent = 0;
+  std::frexp(scene.fastest_rate_rad_s(), &exponent);
+  units.time_exponent = std::min(units.time_exponent, -exponent);
+}
+
+void RotorLaws::add_figures(TopFigures& top, const Scene&, double) const {
+  top.left_out.emplace_back("precession, nutation and critical spin: a rotor turns in the body");
+}
+
+/// The equations of all three observers have series.
+MethodChoice RotorLaws::choose_method(const Scene& scene) const {
+  IntegrationOptions options = scene.scenario().numerics;
+  if (options.method == Method::taylor) return {options, "asked for"};
+  if (options.method != Method::automatic || scene.scenario().precision != Precision::bits53)
+    return PivotLaws::choose_method(scene);
+  options.method = Method::taylor;
+  if (options.form == ModelForm::general || options.observer != Observer::laboratory)
+    return {options, "Taylor series of the equations of the observer asked for"};
+  options.observer = Observer::body;
+  options.form = ModelForm::general;
+  return {options, "Taylor series of the equations in body axes take the fewest operations"};
+}
+
+/// The equations of a gyrostat are built for the methods of any precision only.
+std::optional<std::string> RotorLaws::refuse(const MethodRow& row, const Scene&) const {
+  const Method method = row.method;
+  if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation || method == Method::rkf78)
+    return std::nullopt;
+  return fmt::format("\"{}\" is not built for a body with a rotor; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+                     row.word);
+}
+
+}  // namespace earthtop
