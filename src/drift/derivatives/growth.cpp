@@ -12,6 +12,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <type_traits>
 
 #include "drift/derivatives/disturbed_motion.hpp"
 #include "drift/derivatives/growth_work.hpp"
@@ -103,7 +104,7 @@ class EmbeddedSteps {
   /// Shows the states at which a motion is looked at: the end of the last step.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
-    look(t, x, true);
+    look(t, x);
   }
   /// Takes a step, not beyond the end.
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
@@ -134,13 +135,18 @@ class SeriesSteps {
  public:
   using State = typename System::State;
   SeriesSteps(const System& system, const State& x, double tolerance, double, double)
-      : looks_(system.has_friction() ? 8 : 4), steps_(system.series(), x, tolerance) {}
-  /// Shows some states of the last step, which may be long, and at two of them the growth.
+      : looks_(system.has_friction() ? 8 : 4), steps_(system.series(), x, growth_series_tolerance(tolerance)) {}
+  /// Shows the motion at some times of the last step, which may be long, and at two of them the whole state.
   template <class Look>
   void look(const State& x, double t, const Look& look) const {
-    for (int i = 1; i < looks_; ++i)
-      look(t - steps_.last_step() * (looks_ - i) / looks_, steps_.within(double(i) / looks_), 2 * i == looks_);
-    look(t, x, true);
+    for (int i = 1; i < looks_; ++i) {
+      const double at = t - steps_.last_step() * (looks_ - i) / looks_, share = double(i) / looks_;
+      if (2 * i == looks_)
+        look(at, steps_.within(share));
+      else
+        look(at, steps_.template within<System::kMotionSize>(share));
+    }
+    look(t, x);
   }
   Step take(State& x, double& t, double end, std::int64_t& evaluations) {
     return steps_.take(x, t, end, end / kFewestGrowthSteps, evaluations) ? Step::taken : Step::failed;
@@ -273,18 +279,19 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
     ++counters.accepted;
     system.restrict(x);
     double log_growth = 0;
-    steps.look(x, t, [&](double at, const auto& state, bool shows_growth) {
+    steps.look(x, t, [&](double at, const auto& state) {
       const Motion<double> motion = system.motion(state);
       critical_spin.include(at, motion);
       if (!report.exponential_s) report.departure = std::max(report.departure, departure.of(motion));
-      if (!shows_growth) return;
-      log_growth = follower.log_growth(state);
-      const double log_regular = real::log(1 + rate * at);
-      late.include(at, at - before, log_growth - log_regular);
-      before = at;
-      if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = seconds(at);
-      if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
-        report.rises.push_back({seconds(at), log_growth});
+      if constexpr (std::is_same_v<std::remove_cvref_t<decltype(state)>, typename System::State>) {
+        log_growth = follower.log_growth(state);
+        const double log_regular = real::log(1 + rate * at);
+        late.include(at, at - before, log_growth - log_regular);
+        before = at;
+        if (!report.exponential_s && log_growth > real::log(kRegularGrowth) + log_regular) report.exponential_s = seconds(at);
+        if (report.rises.empty() || log_growth > report.rises.back().log_growth + kPointSpacing)
+          report.rises.push_back({seconds(at), log_growth});
+      }
     });
     if (!std::isfinite(log_growth)) return report;
     if (follower.rescale(x)) steps.restart(x, t);

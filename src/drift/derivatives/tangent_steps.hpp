@@ -57,9 +57,10 @@ class TangentSteps {
     return true;
   }
   double last_step() const { return step_; }
-  /// The state after a share of the last step, which was not stabilised.
-  State within(double share) const {
-    State x;
+  /// The state, or its first components alone, after a share of the last step, which was not stabilised.
+  template <std::size_t kCount = Motion::kSize>
+  std::array<double, kCount> within(double share) const {
+    std::array<double, kCount> x;
     plain_.state_after(step_ * share, x);
     return x;
   }

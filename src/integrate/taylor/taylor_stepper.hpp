@@ -96,9 +96,11 @@ class TaylorStepper {
   const State& previous_state() const { return coefficients_[0]; }
   /// The state at a time t within the last step.
   void calc_state(T t, State& x) const { state_after(t - previous_time(), x); }
-  /// The state at the time dt after the beginning of the last step. Late in a run, dt has more digits than t.
-  void state_after(T dt, State& x) const {
-    x = change_after(dt, rest_before_);
+  /// The state, or its first components alone, at the time dt after the beginning of the last step. Late in a run, dt has more digits
+  /// than t.
+  template <std::size_t kCount>
+  void state_after(T dt, std::array<T, kCount>& x) const {
+    x = change_after<kCount>(dt, rest_before_);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += at(0)[i];
   }
   /// Evaluations of the last step: one for each order.
@@ -115,9 +117,11 @@ class TaylorStepper {
   State& at(int k) { return coefficients_[static_cast<std::size_t>(k)]; }
   const State& at(int k) const { return coefficients_[static_cast<std::size_t>(k)]; }
 
-  /// The change of the state from the beginning of the step to the time dt after it, including the rest of the sums before.
-  State change_after(T dt, const State& rest) const {
-    State x = at(degree_);
+  /// The change of the first components from the beginning of the step to the time dt after it, including the rest of the sums before.
+  template <std::size_t kCount = System::kSize>
+  std::array<T, kCount> change_after(T dt, const State& rest) const {
+    std::array<T, kCount> x;
+    std::copy_n(at(degree_).begin(), kCount, x.begin());
     for (int k = degree_ - 1; k > 0; --k)
       for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + at(k)[i];
     for (std::size_t i = 0; i < x.size(); ++i) x[i] = x[i] * dt + rest[i];
