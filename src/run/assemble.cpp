@@ -215,12 +215,13 @@ class Assembly {
 
   void judge() {
     const Watch growth = parts_.next(seconds_.growth, "growth of disturbances");
-    result_.verdict = assess_verdict(result_, judged_, growth);
+    const GrowthFound found = growth_of(result_, growth);
+    result_.verdict = assess_verdict(result_, judged_, found);
     if (!options_.between && result_.verdict.earth_grown_s) {
       // Few looks tell only roughly when the drift has grown.
       made_.plan = plan_looks(scene_, made_.options);
       look_between(scene_, made_, {}, judged_, rows_, result_);
-      result_.verdict = assess_verdict(result_, judged_, growth);
+      result_.verdict = assess_verdict(result_, judged_, found);
     }
     mark_rows(result_);
     support_.report_judged(result_, rows_);

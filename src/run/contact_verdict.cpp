@@ -118,7 +118,7 @@ GrowthFound growth_on_table(const DriftProblem<double>& problem, const RunResult
     growth.round_off_until_s = lost->until_s;
   }
   // Unlike one in a gimbal or on a pivot, a motion on a table is not called chaotic.
-  return {{}, growth, true, problem.table->contact.law != ContactLaw::frictionless};
+  return {.growth = growth, .is_integrable = true, .contracts = problem.table->contact.law != ContactLaw::frictionless};
 }
 
 }  // namespace earthtop

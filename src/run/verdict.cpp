@@ -102,7 +102,6 @@ FollowedGrowth follow_growth(const RunResult& result, const MotionProblem<double
     growth.exponential_s = earlier(growth.exponential_s, report.exponential_s);
     growth.round_off_s = earlier(growth.round_off_s, report.passes_s(log_round_off));
   }
-  if (growth.exponential_s) growth.earth_s = earth_grown_s(result);
   return growth;
 }
 
@@ -136,8 +135,10 @@ std::optional<double> loose_from_s(std::span<const JudgedLook> judged) {
 }
 
 /// Judges a run by the growth of disturbances along its motions.
-void judge_growth(const GrowthFound& found, std::span<const JudgedLook> judged, VerdictReport& report) {
+void judge_growth(const RunResult& result, const GrowthFound& found, std::span<const JudgedLook> judged,
+                  VerdictReport& report) {
   const FollowedGrowth& growth = found.growth;
+  const std::optional<double> earth_s = found.tells_of_drift && growth.exponential_s ? earth_grown_s(result) : std::nullopt;
   report.lyapunov_exponent_1_s = growth.late_exponent_1_s;
   const std::optional<double> loose_s = loose_from_s(judged);
   const bool braked = growth.critical_spin_s.value_or(0) > 0;
@@ -149,10 +150,10 @@ void judge_growth(const GrowthFound& found, std::span<const JudgedLook> judged, 
     return;
   }
   report.round_off_grown_s = growth.round_off_s;
-  report.earth_grown_s = growth.earth_s;
+  report.earth_grown_s = earth_s;
   const std::string loose = when(loose_s, Doubt::bound_loose);
   const std::string rounding = when(growth.round_off_s, Doubt::rounding_grown);
-  const std::string earth = when(growth.earth_s, Doubt::earth_grown);
+  const std::string earth = when(earth_s, Doubt::earth_grown);
   if (growth.round_off_s) report.intervals.push_back({*growth.round_off_s, growth.round_off_until_s, Doubt::rounding_grown});
   if (loose_s) report.intervals.push_back({*loose_s, {}, Doubt::bound_loose});
   const bool steady = growth.departure < kEquilibrium || growth.critical_spin_s.has_value();
@@ -173,7 +174,7 @@ void judge_growth(const GrowthFound& found, std::span<const JudgedLook> judged, 
                                   *growth.exponential_s, earth, rounding, loose);
   } else {
     report.verdict = Verdict::chaotic;
-    if (growth.earth_s) report.intervals.push_back({*growth.earth_s, {}, Doubt::earth_grown});
+    if (earth_s) report.intervals.push_back({*earth_s, {}, Doubt::earth_grown});
     report.reason =
         fmt::format("disturbances grow exponentially wherever the motion goes, Lyapunov exponent about {:.4g} per second{}{}{}",
                     growth.late_exponent_1_s.value_or(growth.mean_exponent_1_s), earth, rounding, loose);
@@ -230,15 +231,6 @@ void conclude(const RunResult& result, VerdictReport& report) {
   report.reliable_until_s = all.empty() ? result.reached_s : all.front().from_s;
 }
 
-VerdictReport judged_growth(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
-  const DriftProblem<double>& problem = result.modelled.problem_without_rows<double>();
-  GrowthFound found = reports_of(result.modelled).growth(problem, result, log_of_lost_rounding(result), watch);
-  if (found.settled) return *std::move(found.settled);
-  VerdictReport report;
-  judge_growth(found, judged, report);
-  return report;
-}
-
 }  // namespace
 
 GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,
@@ -250,10 +242,10 @@ GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult
     report.reason = *reason;
   } else if (const auto tolerance = growth_tolerance(problem, result.reached_s)) {
     const AppliedTorques<double>& applied = problem.model.applied;
-    return {{},
-            follow_growth(result, problem, *tolerance, log_round_off, watch),
-            is_integrable(problem),
-            applied.friction() || applied.gimbal_damping > 0};
+    return {.growth = follow_growth(result, problem, *tolerance, log_round_off, watch),
+            .is_integrable = is_integrable(problem),
+            .tells_of_drift = true,
+            .contracts = applied.friction() || applied.gimbal_damping > 0};
   } else {
     report.reason =
         "the motion is close to one in closed form that is far from every separatrix: no disturbance grows exponentially";
@@ -261,13 +253,23 @@ GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult
   return {report};
 }
 
-VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch) {
+GrowthFound growth_of(const RunResult& result, const Watch& watch) {
+  if (!has_drift(result)) return {};
+  const DriftProblem<double>& problem = result.modelled.problem_without_rows<double>();
+  return reports_of(result.modelled).growth(problem, result, log_of_lost_rounding(result), watch);
+}
+
+VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const GrowthFound& found) {
   if (!has_drift(result)) {
     VerdictReport report = not_judged("there is no row beyond the release");
     report.from_s.reset();  // there is no drift that could not be trusted
     return report;
   }
-  VerdictReport report = judged_growth(result, judged, watch);
+  VerdictReport report;
+  if (found.settled)
+    report = *found.settled;
+  else
+    judge_growth(result, found, judged, report);
   judge_noise(judged, report);
   add_unlike_motions(result, report);
   conclude(result, report);

@@ -11,10 +11,12 @@
 
 namespace earthtop {
 
-/// Judges a run by its looks for judgement and their bounds, and by the growth of disturbances along both motions, which is integrated only
-/// where closed forms do not already say that nothing grows exponentially.
-/// @param watch  may end the assessment early; the verdict then rests on what is known so far
-VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const Watch& watch);
+/// Follows the growth of disturbances along both motions of a run, where closed forms do not already say that nothing grows exponentially.
+/// @param watch  may end it early; the verdict then rests on what is known so far
+GrowthFound growth_of(const RunResult& result, const Watch& watch);
+
+/// Judges a run by its looks for judgement and their bounds, and by the growth of disturbances.
+VerdictReport assess_verdict(const RunResult& result, std::span<const JudgedLook> judged, const GrowthFound& found);
 
 /// The growth of disturbances along both motions of a body on a pivot. @see SupportReports::growth
 GrowthFound growth_on_pivot(const DriftProblem<double>& problem, const RunResult& result, double log_round_off,

@@ -218,7 +218,7 @@ TEST(Verdict, NoneWithoutARowBeyondTheRelease) {
   result.status = RunStatus::step_underflow;
   for (const std::size_t rows : {0, 1}) {
     result.rows.resize(rows);
-    const VerdictReport verdict = assess_verdict(result, {}, {});
+    const VerdictReport verdict = assess_verdict(result, {}, growth_of(result, {}));
     EXPECT_EQ(verdict.verdict, Verdict::unassessed) << rows;
     EXPECT_FALSE(verdict.lyapunov_exponent_1_s);
     EXPECT_FALSE(verdict.from_s);
