@@ -66,6 +66,10 @@ class Drift(Arrays):
     tip_bound_m: np.ndarray
     slip_m_s: np.ndarray
     spin_rate_rad_s: np.ndarray
+    rotor_rate_rad_s: np.ndarray
+    rotor_angle_rad: np.ndarray
+    rotor_axis_rad: np.ndarray
+    rotor_axis_bound_rad: np.ndarray
 
     def __init__(self, result: "Result") -> None:
         super().__init__(result._quantities, result._texts("trajectory.csv"), "drift_")
@@ -105,6 +109,12 @@ class Result(Pickled):
     normal_force_N: np.ndarray
     ref_normal_force_N: np.ndarray
     contact_state: np.ndarray
+    rotor_rate_rad_s: np.ndarray
+    rotor_angle_rad: np.ndarray
+    rotor_axis_L: np.ndarray
+    ref_rotor_rate_rad_s: np.ndarray
+    ref_rotor_angle_rad: np.ndarray
+    ref_rotor_axis_L: np.ndarray
 
     def __init__(self, files: _Files, quantities: Sequence[Quantity], torques: Sequence[Quantity], *,
                  run: Optional["_core.RunResult"] = None, scenario: Optional[Scenario] = None) -> None:
