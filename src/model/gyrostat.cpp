@@ -21,7 +21,6 @@ Vec3<T> unit_axis(const RotorSpec& spec) {
 template <class T>
 Rotor<T> make_rotor(const RotorSpec& spec) {
   Rotor<T> rotor;
-  rotor.present = true;
   rotor.driven = spec.drive != RotorDrive::none;
   rotor.axis_B = unit_axis<T>(spec);
   rotor.axial = T(spec.axial_kg_m2);

@@ -218,7 +218,7 @@ constexpr auto kDriftMembers = [] {
           "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).axis_L; }, vector),
       compared(
           "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).ref_axis_L; }, vector),
-      // The rotor of a gyrostat, on the rotating Earth: its rate relative to the body, its angle and its momentum about its axis.
+      // The rotor of a gyrostat, on the rotating Earth: its rate relative to the body, and its angle since the release.
       object_or_nothing("rotor", [](R r) { return !r.rows.empty() && r.rows.front().rotor; }),
       compared("rotor.rate_initial_rad_s", derived, any, kAtEnd,
                [](R r) { return of_rotor_row(r, false, &BasicRotorRow<double>::rate_rad_s); }),

@@ -37,8 +37,8 @@ struct Deviation {
 ///   de/dt: e_v x w_ref + (e_w d + e_v x d)/2, -(e_v.d)/2 with d = Theta^-1 p - R_rot^T W
 ///   dp/dt = p x w_ref + (Theta w_rot) x (Theta^-1 p) + m r x (R_rot^T f_rot - R_ref^T f_ref)
 /// where m r is the mass moment about the pivot, W the Earth's rate and f the field at the pivot (apparent gravity).
+/// With a rotor inside (rotor.hpp) p is the difference of the total momenta, and Theta w_rot stands for the whole momentum.
 /// @param reference  the non-rotating motion (q_LB, w_IB_B)   @param x  the deviation   @param field  at the pivot, axes L
-/// With a rotor inside (rotor.hpp) p is the difference of the total momenta, and Theta w stands for w's share and the rotor's.
 /// @param inside  what turns inside the body in both motions
 /// @returns the time derivatives of the deviation
 template <SceneKind K, class T, class Inside = NothingInside>

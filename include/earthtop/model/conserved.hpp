@@ -25,7 +25,7 @@ struct InstantOnPivot {
   /// The rotor's momentum about its axis: of a free rotor that of its inertial rate, of a driven one that of its rate in the body.
   T rotor_momentum() const {
     const Rotor<T>& rotor = model.rotor;
-    if (!rotor.present) return T(0);
+    if (model.kind != SceneKind::gyrostat) return T(0);
     return rotor.axial * (rotor.driven ? rotor_rate : T(rotor.axis_B.dot(w_IB_B()) + rotor_rate));
   }
   Vec3<T> up_B() const { return rotation_matrix(q_LB).row(2).transpose(); }
@@ -93,7 +93,7 @@ ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
   ConservedValue<T> J =
       jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
   const Rotor<T>& rotor = i.model.rotor;
-  if (!rotor.present) return J;
+  if (i.model.kind != SceneKind::gyrostat) return J;
   const T h = i.rotor_momentum(), kinetic = rotor.driven ? T(0) : T(h * h / (T(2) * rotor.axial));
   const T turning = h * rotor.axis_B.dot(transposed_times(rotation_matrix(i.q_LB), i.W_IL_L));
   return {J.value + kinetic - turning, J.scale + kinetic + real::abs(turning)};

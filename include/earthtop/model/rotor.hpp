@@ -24,7 +24,6 @@ namespace earthtop {
 
 template <class T>
 struct Rotor {
-  bool present = false;
   bool driven = false;                ///< whether a motor gives it its rate
   Vec3<T> axis_B = Vec3<T>::UnitZ();  ///< c, a unit vector
   T axial = T(1);                     ///< C, its moment of inertia about c
@@ -35,14 +34,10 @@ struct Rotor {
   T regularisation = T(0);            ///< rate below which dry friction is like viscous friction
   PrescribedMotion<T> drive = {};     ///< the rate of a driven rotor (rad/s) as a function of time, in place of an angle
   T rate_unit = T(1);                 ///< 1 rad/s in the model's units
-  EARTHTOP_MEMBERS(present, driven, axis_B, axial, S_B, spin, viscous, coulomb, regularisation, drive, rate_unit)
+  EARTHTOP_MEMBERS(driven, axis_B, axial, S_B, spin, viscous, coulomb, regularisation, drive, rate_unit)
 
   T driven_rate(const T& t) const { return rate_unit * drive.angle(t); }
   T driven_acceleration(const T& t) const { return rate_unit * drive.angle_rate(t); }
-
-  bool has_friction() const { return viscous != T(0) || coulomb != T(0); }
-  /// Whether its momentum about c stays what it is at release.
-  bool keeps_momentum() const { return !driven && !has_friction(); }
 };
 
 /// The torque of the bearing on the rotor about its axis: -k sigma - T sigma / sqrt(sigma^2 + delta^2).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What carries a top, and what turns in it: a fixed pivot, a platform, a gimbal, a rotor or a table. What is known of a support before anything is computed is one row
-/// of a table; its equations, its checks and its reports are in sources of its own.
+/// What carries a top, and what turns in it: a fixed pivot, a platform, a gimbal, a rotor or a table. What is known of a support before
+/// anything is computed is one row of a table; its equations, its checks and its reports are in sources of its own.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,9 @@ struct Support {
   bool is_fixed_pivot = false;
   /// Whether the tip moves: rows, files and pages have its path, its slip and the force on it.
   bool has_contact = false;
-  bool has_rotor = false;              ///< whether a rotor turns in the body: rows and files have its rate and its angle
-  bool may_damp = false;               ///< whether it may brake the body itself, beside the friction among the effects
-  bool drives = false;                 ///< whether the motion may come to other rates than those of its release
+  bool has_rotor = false;  ///< whether the equations are those of a gyrostat; not for a caged top, which has a rotor, too
+  bool may_damp = false;   ///< whether it may brake the body itself, beside the friction among the effects
+  bool drives = false;     ///< whether the motion may come to other rates than those of its release
   std::string_view no_exact_motion{};  ///< of a method, after its name
   std::string_view no_motion_alone{};  ///< of one motion without the deviation from the other
   std::string_view no_effect_sizes{};  ///< of the effect budget
