@@ -92,7 +92,8 @@ TEST(Gyrostat, WithAHeldRotorIsARigidBody) {
   with = by_general_model(with);
   with.rotation_rate_rad_s = rigid.rotation_rate_rad_s = 0.01;
   with.release.angular_velocity_body_rad_s = rigid.release.angular_velocity_body_rad_s = std::array{1.0, -2.0, 30.0};
-  const Body<double>& body = Scene(with).body<double>();
+  const Scene scene(with);
+  const Body<double>& body = scene.body<double>();
   rigid.rotor.reset();
   rigid.body.mass_kg = body.mass, rigid.body.center_of_mass_m = {0, 0, body.p_PBcm_B[2]};
   rigid.body.inertia_about = InertiaAbout::pivot;

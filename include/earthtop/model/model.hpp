@@ -128,8 +128,7 @@ Model<T> without_earth_rate(Model<T> model) {
 /// arguments share. They are linear in W_A_scaled: with W_A_scaled = W_A the result is the torque, with W_A / epsilon it is the
 /// torque over epsilon. There is no transverse torque because the Earth rotates uniformly: the laboratory has no angular
 /// acceleration.
-/// @param w_LB_A  the body's rate relative to the laboratory   @param S_BP_A  second moment about the pivot
-/// @param velocity_moment_A  of all parts; those of a rigid body follow from its rate
+/// @param velocity_moment_A  of all parts, relative to the laboratory   @param S_BP_A  their second moment about the pivot
 template <SceneKind K, class T>
 Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled,
                           const Mat3<T>& velocity_moment_A, const Mat3<T>& S_BP_A) {
@@ -140,6 +139,8 @@ Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, c
   else
     return weights.coriolis * cor + weights.centrifugal * cent;
 }
+/// The same of a rigid body.
+/// @param w_LB_A  the body's rate relative to the laboratory
 template <SceneKind K, class T>
 Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, const Vec3<T>& W_A_scaled, const Vec3<T>& w_LB_A,
                           const Mat3<T>& S_BP_A) {
