@@ -33,19 +33,6 @@ concept HasContact = requires(const System& system, const typename System::State
   system.contact_state(x, t);
 };
 
-/// The state of a gyrostat's rotor, with rates in rad/s; null for other tops.
-template <class System, class T>
-std::shared_ptr<const RotorState<T>> rotor_of(const System& system, const typename System::State& x, T t,
-                                              const DriftProblem<T>& problem) {
-  if constexpr (requires { system.rotor_state(x, t); }) {
-    RotorState<T> rotor = system.rotor_state(x, t);
-    for (T* rate : {&rotor.rate, &rotor.ref_rate, &rotor.rate_difference_scaled}) *rate = problem.units.rate_to_rad_s(*rate);
-    return std::make_shared<const RotorState<T>>(rotor);
-  } else {
-    return nullptr;
-  }
-}
-
 /// Whether an integration leaves stops for later looks, and may begin at them: by series, which begin anywhere without a search for their
 /// step, and where no friction may hold a motion at rest.
 template <class T, class System>
@@ -109,7 +96,6 @@ void integrate_by_stops(const std::vector<double>& times, System& system, typena
       if (i < seen) return;
       const double t = stretch[i], t_s = problem.times_s[trajectory.samples.size()];
       trajectory.samples.push_back(watcher.sample(state, t, t_s));
-      trajectory.samples.back().rotor = rotor_of(system, state, t, problem);
       if (t == 0) set_release_rates(problem, trajectory.samples.front().state);
       if (t - left_at < apart || !(problem.are_looks || std::ranges::binary_search(problem.way->leave_at_s, t_s))) return;
       stops.try_emplace(t, typename SteppedStops<System>::Stop{state, memory_of(system), watcher.turns()});
@@ -138,7 +124,6 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     if (row >= problem.times_s.size()) return;
     const T t = row_times[row];
     trajectory.samples.push_back(watcher.sample(state, t, problem.times_s[row]));
-    trajectory.samples.back().rotor = rotor_of(system, state, t, problem);
     if constexpr (HasContact<System, T>)
       trajectory.samples.back().contact = std::make_shared<const ContactDriftState<T>>(system.contact_state(state, t));
     if (row == 0 && t == T(0)) set_release_rates(problem, trajectory.samples.front().state);

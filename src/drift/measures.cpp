@@ -9,6 +9,9 @@ template DriftPhases<float128> drift_phases(const DriftState<float128>&);
 template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSought);
 template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
 template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
+template AxisDrift<double> drift_of_axis(const DriftState<double>&, const Vec3<double>&);
+template AxisDrift<long double> drift_of_axis(const DriftState<long double>&, const Vec3<long double>&);
+template AxisDrift<float128> drift_of_axis(const DriftState<float128>&, const Vec3<float128>&);
 
 AzimuthSample azimuth_sample(const DriftSample<double>& sample) {
   const drift_measures::AxisPair<double> axes(sample.state);

@@ -13,11 +13,11 @@ T angle_of(T y, T x) {
   return real::atan2(y, x) + T(0);
 }
 
-/// The difference of body axis 3 of the rotating body from that of the reference, over epsilon; in East, North, Up.
+/// The difference of an axis of the rotating body from that of the reference, over epsilon; in East, North, Up.
 /// @param R_ref  attitude of the reference
 template <class T>
-Vec3<T> axis_difference_scaled(const DriftState<T>& s, const Mat3<T>& R_ref) {
-  return times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, Vec3<T>(Vec3<T>::UnitZ())));
+Vec3<T> axis_difference_scaled(const DriftState<T>& s, const Mat3<T>& R_ref, const Vec3<T>& axis_B = Vec3<T>::UnitZ()) {
+  return times(R_ref, turn_minus_one_scaled(s.e_w, s.e_v_scaled, s.epsilon, axis_B));
 }
 
 /// Body axis 3 of the reference, n, and the difference d of that of the rotating body from it; in East, North, Up.
@@ -45,6 +45,14 @@ struct AxisPair {
 };
 
 }  // namespace drift_measures
+
+template <class T>
+AxisDrift<T> drift_of_axis(const DriftState<T>& s, const Vec3<T>& axis_B) {
+  const Vec3<T>& v = s.e_v_scaled;
+  const T sine = s.epsilon * norm(Vec3<T>(v.cross(axis_B)));
+  const T half = drift_measures::angle_of(sine, real::hypot(s.e_w, T(s.epsilon * v.dot(axis_B))));
+  return {T(2) * half, drift_measures::axis_difference_scaled(s, rotation_matrix(s.ref_q_LB), axis_B)};
+}
 
 template <class T>
 DriftPhases<T> drift_phases(const DriftState<T>& s) {

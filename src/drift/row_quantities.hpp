@@ -333,6 +333,14 @@ constexpr void for_each_rotor_quantity(const Visit& visit) {
       [](auto& r) -> auto& { return r.drift_axis_bound_rad; },
       Q{"drift_rotor_axis_bound", "_rad", "bound on the error of drift_rotor_axis_rad", number, error,
         "drift_rotor_axis_bound_rad"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_rate_bound_rad_s; },
+      Q{"drift_rotor_rate_bound", "_rad_s", "bound on the error of drift_rotor_rate_rad_s", number, error,
+        "drift_rotor_rate_bound_rad_s"});
+  visit_one(
+      [](auto& r) -> auto& { return r.drift_angle_bound_rad; },
+      Q{"drift_rotor_angle_bound", "_rad", "bound on the error of drift_rotor_angle_rad", number, error,
+        "drift_rotor_angle_bound_rad"});
 }
 
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;

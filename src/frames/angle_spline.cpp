@@ -8,7 +8,7 @@ namespace earthtop {
 namespace {
 
 void require_sound(const AngleTable& table) {
-  const std::vector<double>&t = table.t_s, &angle = table.angle_rad;
+  const std::vector<double>&t = table.t_s, &angle = table.value;
   if (t.size() < 4 || t.size() != angle.size())
     throw std::invalid_argument("angle table: at least four times, an angle for each");
   for (std::size_t i = 0; i < t.size(); ++i)
@@ -63,14 +63,20 @@ AngleSpline<T>::AngleSpline(const AngleTable& table) {
   std::vector<T> h(pieces), d(pieces);
   for (std::size_t i = 0; i < pieces; ++i) {
     h[i] = T(table.t_s[i + 1]) - T(table.t_s[i]);
-    d[i] = (T(table.angle_rad[i + 1]) - T(table.angle_rad[i])) / h[i];
+    d[i] = (T(table.value[i + 1]) - T(table.value[i])) / h[i];
   }
   const std::vector<T> s = slopes_at_knots(h, d);
   pieces_.reserve(pieces);
   for (std::size_t i = 0; i < pieces; ++i)
-    pieces_.push_back({T(table.t_s[i]), T(table.angle_rad[i]), s[i], (T(3) * d[i] - T(2) * s[i] - s[i + 1]) / h[i],
-                       (s[i] + s[i + 1] - T(2) * d[i]) / h[i] / h[i]});
+    pieces_.push_back({T(table.t_s[i]), T(table.value[i]), s[i], (T(3) * d[i] - T(2) * s[i] - s[i + 1]) / h[i],
+                       (s[i] + s[i + 1] - T(2) * d[i]) / h[i] / h[i], T(0)});
   end_ = T(table.t_s.back());
+  for (std::size_t i = 1; i < pieces; ++i) {
+    const Piece& p = pieces_[i - 1];
+    pieces_[i].before =
+        p.before + h[i - 1] * (p.angle + h[i - 1] * (p.rate / T(2) +
+                                                     h[i - 1] * (p.half_acceleration / T(3) + h[i - 1] * p.sixth_jerk / T(4))));
+  }
 }
 
 template <class T>
@@ -112,6 +118,7 @@ AngleSpline<T> AngleSpline<T>::in_time_units(int time_exponent) const {
   AngleSpline scaled = *this;
   for (Piece& p : scaled.pieces_) {
     p.start = real::scale(p.start, -time_exponent);
+    p.before = real::scale(p.before, -time_exponent);
     p.rate = real::scale(p.rate, time_exponent);
     p.half_acceleration = real::scale(p.half_acceleration, 2 * time_exponent);
     p.sixth_jerk = real::scale(p.sixth_jerk, 3 * time_exponent);

@@ -2,6 +2,9 @@
 /// Makes the driver's options from a problem and the options asked for: converts to natural units, sets first and fixed steps.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
+
 #include "integrate/inline_all.hpp"
 #include "integrate/natural_times.hpp"
 #include "integrate/odeint_driver.hpp"
@@ -29,7 +32,13 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.step_limit = options.step_limit;
   drive.limit = work_limit(problem, options);
   drive.watch = watch;
-  if (const auto& table = problem.model.platform.turn.table) drive.joints = table->joints();
+  for (const PrescribedMotion<T>* motion : {&problem.model.platform.turn, &problem.model.rotor.drive}) {
+    if (!motion->table) continue;
+    const std::vector<T> joints = motion->table->joints();
+    std::vector<T> merged;
+    std::ranges::set_union(drive.joints, joints, std::back_inserter(merged));
+    drive.joints = std::move(merged);
+  }
   return drive;
 }
 

@@ -14,24 +14,30 @@
 namespace earthtop::measure {
 namespace {
 
-struct AngleUnit {
-  std::string_view name;
-  double rad;
-};
-constexpr AngleUnit kAngleUnits[] = {
+constexpr MeasuredUnit kAngleUnits[] = {
     {"rad", 1}, {"deg", std::numbers::pi / 180}, {"arcsec", std::numbers::pi / (180 * 3600.0)}};
-constexpr MeasuredQuantity kAllMeasured[] = {MeasuredQuantity::azimuth, MeasuredQuantity::tilt, MeasuredQuantity::axis,
-                                             MeasuredQuantity::drift_azimuth, MeasuredQuantity::drift_tilt};
+constexpr MeasuredUnit kRateUnits[] = {{"rad_s", 1}, {"rpm", std::numbers::pi / 30}};
 constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"};
 constexpr std::string_view kAllowedColumns =
     "allowed are t_s; azimuth, tilt, drift_azimuth and drift_tilt, each as azimuth_rad, azimuth_deg or azimuth_arcsec with "
-    "azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; and names that begin "
-    "with _, which are skipped";
+    "azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; rotor_rate_rad_s or "
+    "rotor_rate_rpm with rotor_rate_se_rad_s or _rpm; and names that begin with _, which are skipped";
 
 struct Column {
   std::size_t place;  // place in the header
-  double rad;         // the unit (rad)
+  double unit;        // its size
 };
+
+/// The names of a quantity's columns in all units: "azimuth_rad, azimuth_deg or azimuth_arcsec"
+std::string in_all_units(MeasuredQuantity quantity, const std::string& stem) {
+  std::string names;
+  const auto units = units_of(quantity);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    if (i > 0) names += i + 1 == units.size() ? " or " : ", ";
+    names += fmt::format("{}_{}", stem, units[i].name);
+  }
+  return names;
+}
 
 class HeaderReader {
  public:
@@ -60,7 +66,7 @@ class HeaderReader {
   void refuse_unknown_columns() {
     std::vector<std::string> names = {"t_s"};
     for (const MeasuredQuantity quantity : kAllMeasured)
-      for (const AngleUnit& unit : kAngleUnits) {
+      for (const MeasuredUnit& unit : units_of(quantity)) {
         if (quantity != MeasuredQuantity::axis) names.push_back(fmt::format("{}_{}", to_string(quantity), unit.name));
         names.push_back(fmt::format("{}_se_{}", to_string(quantity), unit.name));
       }
@@ -81,17 +87,17 @@ class HeaderReader {
   void read_quantity(MeasuredQuantity quantity) {
     const std::string name(to_string(quantity));
     const bool is_axis = quantity == MeasuredQuantity::axis;
-    const std::optional<Column> error = find_in_a_unit(name + "_se");
-    const std::optional<Column> value = is_axis ? find_axis() : find_in_a_unit(name);
+    const std::optional<Column> error = find_in_a_unit(quantity, name + "_se");
+    const std::optional<Column> value = is_axis ? find_axis() : find_in_a_unit(quantity, name);
     if (value && !error)
-      columns_.errors.push_back(fmt::format("{0} has no standard error; give {0}_se_rad, {0}_se_deg or {0}_se_arcsec", name));
+      columns_.errors.push_back(fmt::format("{} has no standard error; give {}", name, in_all_units(quantity, name + "_se")));
     if (error && !value && !is_axis)
       columns_.errors.push_back(
-          fmt::format("{0} is given without a column {1}_rad, {1}_deg or {1}_arcsec", header_[error->place], name));
+          fmt::format("{} is given without a column {}", header_[error->place], in_all_units(quantity, name)));
     if (error && !value && is_axis)
       columns_.errors.push_back(header_[error->place] + " is given without all of axis_L_x, axis_L_y, axis_L_z");
     if (!value || !error) return;
-    QuantityCells cells{quantity, want(value->place), value->rad, 0, error->rad};
+    QuantityCells cells{quantity, want(value->place), value->unit, 0, error->unit};
     if (is_axis)
       for (const std::string_view column : {kAxisColumns[1], kAxisColumns[2]}) want(*find(column));
     cells.error = want(error->place);
@@ -105,16 +111,16 @@ class HeaderReader {
   }
 
   /// The column of this quantity, in any unit. Reports an error if there are two.
-  std::optional<Column> find_in_a_unit(const std::string& quantity) {
+  std::optional<Column> find_in_a_unit(MeasuredQuantity quantity, const std::string& stem) {
     std::optional<Column> found;
-    for (const AngleUnit& unit : kAngleUnits) {
-      const std::string name = fmt::format("{}_{}", quantity, unit.name);
+    for (const MeasuredUnit& unit : units_of(quantity)) {
+      const std::string name = fmt::format("{}_{}", stem, unit.name);
       const auto place = find(name);
       if (!place) continue;
       if (found)
         columns_.errors.push_back(
             fmt::format("columns {} and {} give the same quantity in two units; keep one", header_[found->place], name));
-      found = Column{*place, unit.rad};
+      found = Column{*place, unit.size};
     }
     return found;
   }
@@ -135,6 +141,11 @@ class HeaderReader {
 };
 
 }  // namespace
+
+std::span<const MeasuredUnit> units_of(MeasuredQuantity quantity) {
+  if (quantity == MeasuredQuantity::rotor_rate) return kRateUnits;
+  return kAngleUnits;
+}
 
 MeasurementColumns measurement_columns(const std::vector<std::string>& header) { return HeaderReader(header).read(); }
 

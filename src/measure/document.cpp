@@ -46,37 +46,48 @@ Json prior_json(const Prior& prior) {
           {"pull", or_nothing(prior.pull)}};
 }
 
+/// The numbers of a residual, whose keys have the unit.
+struct ResidualNumber {
+  std::string_view stem;
+  double MeasurementResidual::*member;
+  std::string key(std::string_view quantity) const {
+    return fmt::format("{}_{}", stem, quantity == to_string(MeasuredQuantity::rotor_rate) ? "rad_s" : "rad");
+  }
+};
+constexpr ResidualNumber kResidualNumbers[] = {{"measured", &MeasurementResidual::measured},
+                                               {"predicted", &MeasurementResidual::predicted},
+                                               {"residual", &MeasurementResidual::residual},
+                                               {"standard_error", &MeasurementResidual::standard_error}};
+
 Json residual_json(const MeasurementResidual& residual) {
   Json json = {{"t_s", residual.t_s},
                {"quantity", std::string(residual.quantity)},
                {"line", residual.line},
-               {"measured_rad", residual.measured_rad},
-               {"predicted_rad", residual.predicted_rad},
-               {"residual_rad", residual.residual_rad},
-               {"standard_error_rad", residual.standard_error_rad},
                {"normalised", residual.normalised()}};
+  for (const ResidualNumber& number : kResidualNumbers) json[number.key(residual.quantity)] = residual.*number.member;
   if (residual.whitened) json["whitened"] = *residual.whitened;
   return json;
 }
 
-/// The angles of a curve's points, and their names in the document.
-struct CurveAngle {
+/// The numbers of a curve's points, and their names in the document.
+struct CurveNumber {
   const char* name;
-  double CurvePoint::*angle;
+  double CurvePoint::*member;
 };
-constexpr CurveAngle kCurveAngles[] = {{"azimuth_rad", &CurvePoint::azimuth_rad},
-                                       {"tilt_rad", &CurvePoint::tilt_rad},
-                                       {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
-                                       {"drift_tilt_rad", &CurvePoint::drift_tilt_rad}};
+constexpr CurveNumber kCurveNumbers[] = {{"azimuth_rad", &CurvePoint::azimuth_rad},
+                                         {"tilt_rad", &CurvePoint::tilt_rad},
+                                         {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
+                                         {"drift_tilt_rad", &CurvePoint::drift_tilt_rad},
+                                         {"rotor_rate_rad_s", &CurvePoint::rotor_rate_rad_s}};
 
 Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
   if (curve.empty()) return nullptr;
   Json json = {{"mean", is_mean}};
   for (const CurvePoint& point : curve) json["t_s"].push_back(point.t_s);
-  for (const CurveAngle& column : kCurveAngles) {
-    const auto known = [&](const CurvePoint& point) { return std::isfinite(point.*column.angle); };
+  for (const CurveNumber& column : kCurveNumbers) {
+    const auto known = [&](const CurvePoint& point) { return std::isfinite(point.*column.member); };
     if (std::none_of(curve.begin(), curve.end(), known)) continue;
-    for (const CurvePoint& point : curve) json[column.name].push_back(point.*column.angle);
+    for (const CurvePoint& point : curve) json[column.name].push_back(point.*column.member);
   }
   return json;
 }
@@ -87,7 +98,8 @@ double number_or_nan(const Json& json) {
 
 /// The names of residuals' quantities last as long as the program.
 std::string_view quantity_named(const std::string& name) {
-  for (const std::string_view known : {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt"})
+  for (const std::string_view known :
+       {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt", "rotor_rate"})
     if (known == name) return known;
   refuse_value("not a measured quantity: " + name);
 }
@@ -108,10 +120,8 @@ MeasurementReport measurement_of(const Json& document) {
     residual.t_s = json.at("t_s").get<double>();
     residual.line = count_in(json.at("line"));
     residual.quantity = quantity_named(json.at("quantity").get<std::string>());
-    residual.measured_rad = number_or_nan(json.at("measured_rad"));
-    residual.predicted_rad = number_or_nan(json.at("predicted_rad"));
-    residual.residual_rad = number_or_nan(json.at("residual_rad"));
-    residual.standard_error_rad = number_or_nan(json.at("standard_error_rad"));
+    for (const ResidualNumber& number : kResidualNumbers)
+      residual.*number.member = number_or_nan(json.at(number.key(residual.quantity)));
     if (json.contains("whitened")) residual.whitened = number_or_nan(json.at("whitened"));
     report.residuals.push_back(residual);
   }
@@ -119,10 +129,10 @@ MeasurementReport measurement_of(const Json& document) {
   if (!curve.is_object()) return report;
   report.curve_is_mean = curve.value("mean", false);
   for (const Json& t_s : curve.at("t_s")) {
-    CurvePoint point{number_or_nan(t_s), 0, 0, 0, 0};
-    for (const CurveAngle& column : kCurveAngles)
-      point.*column.angle = curve.contains(column.name) ? number_or_nan(curve.at(column.name).at(report.curve.size()))
-                                                        : std::numeric_limits<double>::quiet_NaN();
+    CurvePoint point{number_or_nan(t_s)};
+    for (const CurveNumber& column : kCurveNumbers)
+      point.*column.member = curve.contains(column.name) ? number_or_nan(curve.at(column.name).at(report.curve.size()))
+                                                         : std::numeric_limits<double>::quiet_NaN();
     report.curve.push_back(point);
   }
   return report;

@@ -16,6 +16,7 @@
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
 #include "scene/examine.hpp"
+#include "scene/moved_input.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -31,11 +32,12 @@ constexpr CombinedName kCombinedNames[] = {{"omega_sin_latitude_rad_s", Combined
                                            {"omega_cos_latitude_rad_s", CombinedInput::northward_rate, "rad/s"},
                                            {"inertia_ratio", CombinedInput::inertia_ratio, ""},
                                            {"center_of_mass_m", CombinedInput::center_of_mass, "m"}};
-constexpr std::string_view kRooms[] = {"/site/", "/earth/", "/body/", "/release/", "/contact/", "/platform/", "/effects/"};
+constexpr std::string_view kRooms[] = {"/site/",    "/earth/",   "/body/",     "/rotor/",
+                                       "/release/", "/contact/", "/platform/", "/effects/"};
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
-    "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, release, "
-    "contact, platform or effects, as /release/azimuth_deg";
+    "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, rotor, "
+    "release, contact, platform or effects, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
@@ -177,24 +179,17 @@ bool EstimatedInputs::reshape(Scenario& scenario, const Scene& scene, const std:
   const auto ratio = value_of(CombinedInput::inertia_ratio, values);
   const auto distance_m = value_of(CombinedInput::center_of_mass, values);
   if (!ratio && !distance_m) return true;
-  const Body<double>& body = scene.body<double>();
-  BodySpec spec;
-  spec.mass_kg = body.mass;
-  for (int i = 0; i < 3; ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    spec.center_of_mass_m[row] = body.p_PBcm_B[i];
-    for (int j = 0; j < 3; ++j) spec.inertia_kg_m2[row][static_cast<std::size_t>(j)] = body.I_BP_B(i, j);
-  }
-  if (ratio) spec.inertia_kg_m2[2][2] = *ratio * spec.inertia_kg_m2[0][0];
+  Body<double> body = scene.body<double>();
+  if (ratio) body.I_BP_B(2, 2) = *ratio * body.I_BP_B(0, 0);
   if (distance_m) {
     const double before_m = norm(body.p_PBcm_B);
     if (before_m > 0)
-      for (double& coordinate : spec.center_of_mass_m) coordinate *= *distance_m / before_m;
+      body.p_PBcm_B *= *distance_m / before_m;
     else
-      spec.center_of_mass_m[2] = *distance_m;
+      body.p_PBcm_B[2] = *distance_m;
   }
-  scenario.body = spec;
-  return body_violations(spec).empty();
+  set_body(scenario, scene, body);
+  return body_violations(scenario.body, scenario.rotor.has_value()).empty();
 }
 
 std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) const {

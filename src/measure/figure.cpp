@@ -52,25 +52,26 @@ Series thinned(const Series& all) {
 
 bool is_azimuth(std::string_view quantity) { return quantity.ends_with("azimuth"); }
 
-/// The curve's angle that a quantity is measured against.
-double CurvePoint::*angle_of(std::string_view quantity) {
+/// The curve's number that a quantity is measured against.
+double CurvePoint::*value_of(std::string_view quantity) {
+  if (quantity == to_string(MeasuredQuantity::rotor_rate)) return &CurvePoint::rotor_rate_rad_s;
   if (quantity == "drift_azimuth") return &CurvePoint::drift_azimuth_rad;
   if (quantity == "drift_tilt") return &CurvePoint::drift_tilt_rad;
   return is_azimuth(quantity) ? &CurvePoint::azimuth_rad : &CurvePoint::tilt_rad;
 }
 
 struct Point {
-  double t_s, angle_rad;
+  double t_s, value;
   bool is_drawn;  ///< whether the model's line goes through it
 };
 
-/// The model's angle over time, from the curve and from the predictions at measured times. No line through means passes these.
+/// The model's number over time, from the curve and from the predictions at measured times. No line through means passes these.
 std::vector<Point> model_of(const MeasurementReport& report, const Series& series) {
   std::vector<Point> points;
-  const auto angle = angle_of(series.front()->quantity);
-  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*angle, true});
+  const auto member = value_of(series.front()->quantity);
+  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*member, true});
   for (const MeasurementResidual* residual : series)
-    points.push_back({residual->t_s, residual->predicted_rad, !report.curve_is_mean || report.curve.empty()});
+    points.push_back({residual->t_s, residual->predicted, !report.curve_is_mean || report.curve.empty()});
   std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.t_s < b.t_s; });
   return points;
 }
@@ -83,23 +84,23 @@ void unwrap(std::vector<Point>& points) {
   double before = kNone;
   bool is_continuous = true;
   for (Point& point : unwrapped) {
-    if (!std::isfinite(point.angle_rad)) continue;
-    if (std::isfinite(before)) point.angle_rad = before + std::remainder(point.angle_rad - before, kWholeTurn);
-    is_continuous = is_continuous && !(std::abs(point.angle_rad - before) > kFarApart);
-    before = point.angle_rad;
+    if (!std::isfinite(point.value)) continue;
+    if (std::isfinite(before)) point.value = before + std::remainder(point.value - before, kWholeTurn);
+    is_continuous = is_continuous && !(std::abs(point.value - before) > kFarApart);
+    before = point.value;
   }
-  const double turns = std::isfinite(before) && !unwrapped.empty() && std::isfinite(unwrapped.front().angle_rad)
-                           ? std::floor(unwrapped.front().angle_rad / kWholeTurn)
+  const double turns = std::isfinite(before) && !unwrapped.empty() && std::isfinite(unwrapped.front().value)
+                           ? std::floor(unwrapped.front().value / kWholeTurn)
                            : 0;
   if (is_continuous) {
-    for (Point& point : unwrapped) point.angle_rad -= turns * kWholeTurn;  // compass azimuths begin from 0 to a turn
+    for (Point& point : unwrapped) point.value -= turns * kWholeTurn;  // compass azimuths begin from 0 to a turn
     points = std::move(unwrapped);
     return;
   }
   std::vector<Point> broken;
   for (Point point : points) {
-    point.angle_rad -= std::floor(point.angle_rad / kWholeTurn) * kWholeTurn;
-    if (!broken.empty() && std::abs(point.angle_rad - broken.back().angle_rad) > std::numbers::pi)
+    point.value -= std::floor(point.value / kWholeTurn) * kWholeTurn;
+    if (!broken.empty() && std::abs(point.value - broken.back().value) > std::numbers::pi)
       broken.push_back({point.t_s, kNone, true});
     broken.push_back(point);
   }
@@ -108,19 +109,20 @@ void unwrap(std::vector<Point>& points) {
 
 struct ShownUnit {
   const char* name;
-  double per_rad;
+  double per_unit;
 };
-/// Degrees, or seconds of arc where all is within a quarter of a degree of 0.
-ShownUnit unit_for(const std::vector<Point>& points) {
+/// The unit of a rate; of angles degrees, or seconds of arc where all is within a quarter of a degree of 0.
+ShownUnit unit_for(std::string_view quantity, const std::vector<Point>& points) {
+  if (quantity == to_string(MeasuredQuantity::rotor_rate)) return {"rad/s", 1};
   double largest = 0;
-  for (const Point& point : points)
-    largest = std::isfinite(point.angle_rad) ? std::max(largest, std::abs(point.angle_rad)) : largest;
+  for (const Point& point : points) largest = std::isfinite(point.value) ? std::max(largest, std::abs(point.value)) : largest;
   constexpr double kDegrees = 180 / std::numbers::pi;
   return largest > 0.25 / kDegrees ? ShownUnit{"deg", kDegrees} : ShownUnit{"arcsec", 3600 * kDegrees};
 }
 
 /// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".
 std::string spoken(std::string_view quantity) {
+  if (quantity == "rotor_rate") return "Rate of the rotor";
   if (quantity == "azimuth") return "Azimuth";
   if (quantity == "tilt") return "Tilt";
   if (quantity == "axis_azimuth") return "Azimuth of the axis";
@@ -128,13 +130,13 @@ std::string spoken(std::string_view quantity) {
   return quantity == "drift_azimuth" ? "Drift in azimuth" : "Drift in tilt";
 }
 
-/// The measured angle of a residual whose model is drawn at `model_rad`: the residual is added to the model, so that both are
+/// The measured number of a residual whose model is drawn at `model_value`: the residual is added to the model, so that both are
 /// counted over the same turns. An axis's residual along its azimuth is a length on the sphere.
-double measured_beside(const MeasurementResidual& residual, double model_rad) {
-  if (!is_azimuth(residual.quantity)) return residual.measured_rad;
+double measured_beside(const MeasurementResidual& residual, double model_value) {
+  if (!is_azimuth(residual.quantity)) return residual.measured;
   if (residual.quantity == "axis_azimuth")
-    return model_rad + std::remainder(residual.measured_rad - residual.predicted_rad, kWholeTurn);
-  return model_rad + residual.residual_rad;
+    return model_value + std::remainder(residual.measured - residual.predicted, kWholeTurn);
+  return model_value + residual.residual;
 }
 
 /// The label of a line: with its quantity, where there are several.
@@ -147,7 +149,7 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
   const std::string_view quantity = series.front()->quantity;
   std::vector<Point> model = model_of(report, series);
   if (is_azimuth(quantity) && quantity != "drift_azimuth") unwrap(model);  // a drift is continuous already
-  const ShownUnit unit = unit_for(model);
+  const ShownUnit unit = unit_for(quantity, model);
   Panel panel{{spoken(quantity), unit.name}, {}, 240};
   const bool is_mean = report.curve_is_mean && !report.curve.empty();
   Line line{
@@ -155,16 +157,15 @@ Panel data_panel(const MeasurementReport& report, const Series& series, LineColo
   for (const Point& point : model) {
     if (!point.is_drawn) continue;
     line.x.push_back(point.t_s * per_s);
-    line.y.push_back(point.angle_rad * unit.per_rad);
+    line.y.push_back(point.value * unit.per_unit);
   }
   Line data{label(report, series, "measured"), {}, {}, color, LineStyle::points, Marker::circle};
   auto beside = model.begin();
   for (const MeasurementResidual* residual : thinned(series)) {
-    while (beside->t_s < residual->t_s || !(std::isfinite(beside->angle_rad) || !std::isfinite(residual->predicted_rad)))
-      ++beside;
+    while (beside->t_s < residual->t_s || !(std::isfinite(beside->value) || !std::isfinite(residual->predicted))) ++beside;
     data.x.push_back(residual->t_s * per_s);
-    data.y.push_back(measured_beside(*residual, beside->angle_rad) * unit.per_rad);
-    data.error.push_back(residual->standard_error_rad * unit.per_rad);
+    data.y.push_back(measured_beside(*residual, beside->value) * unit.per_unit);
+    data.error.push_back(residual->standard_error * unit.per_unit);
   }
   panel.lines = {std::move(line), std::move(data)};
   return panel;

@@ -80,12 +80,12 @@ class MeasurementReader {
   }
 
   void read_value(const QuantityCells& cells, double t_s) {
-    const double error_rad = reader_.numbers()[cells.error] * cells.error_rad;
-    if (reader_.kinds()[cells.error] != CellKind::number || !(error_rad > 0) || !std::isfinite(1 / error_rad)) {
+    const double error = reader_.numbers()[cells.error] * cells.error_unit;
+    if (reader_.kinds()[cells.error] != CellKind::number || !(error > 0) || !std::isfinite(1 / error)) {
       refuse(cells.error, "a measured value needs a standard error above 0; give it, or leave the value's cell empty");
       return;
     }
-    MeasuredValue value{cells.quantity, t_s, 0, {}, error_rad, reader_.line()};
+    MeasuredValue value{cells.quantity, t_s, 0, {}, error, reader_.line()};
     if (cells.quantity == MeasuredQuantity::axis) {
       const auto n = reader_.numbers().subspan(cells.value, 3);
       const double length = real::hypot(n[0], n[1], n[2]);
@@ -95,9 +95,9 @@ class MeasurementReader {
       }
       value.axis_L = {n[0] / length, n[1] / length, n[2] / length};
     } else {
-      value.angle_rad = reader_.numbers()[cells.value] * cells.value_rad;
+      value.value = reader_.numbers()[cells.value] * cells.value_unit;
       const bool tilts = cells.quantity == MeasuredQuantity::tilt || cells.quantity == MeasuredQuantity::drift_tilt;
-      if (tilts && std::abs(value.angle_rad) > kLargestTilt_rad) {
+      if (tilts && std::abs(value.value) > kLargestTilt_rad) {
         refuse(cells.value, "a tilt is at most 180 deg; is it in another unit?");
         return;
       }
@@ -136,6 +136,7 @@ std::string_view to_string(MeasuredQuantity quantity) {
     case MeasuredQuantity::axis: return "axis";
     case MeasuredQuantity::drift_azimuth: return "drift_azimuth";
     case MeasuredQuantity::drift_tilt: return "drift_tilt";
+    case MeasuredQuantity::rotor_rate: return "rotor_rate";
   }
   return "";
 }

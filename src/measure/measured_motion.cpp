@@ -11,6 +11,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "earthtop/vectors.hpp"
+#include "scene/caged_top.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -61,16 +62,19 @@ class RowResiduals {
     switch (value.quantity) {
       case MeasuredQuantity::azimuth:
         require_azimuth(value, horizontal_part(n_L) > 0);
-        return append(value, "azimuth", value.angle_rad, azimuth_of(n_L), folded(value.angle_rad - azimuth_of(n_L)));
-      case MeasuredQuantity::tilt: return append(value, "tilt", value.angle_rad, tilt_of(n_L), value.angle_rad - tilt_of(n_L));
+        return append(value, "azimuth", value.value, azimuth_of(n_L), folded(value.value - azimuth_of(n_L)));
+      case MeasuredQuantity::tilt: return append(value, "tilt", value.value, tilt_of(n_L), value.value - tilt_of(n_L));
       case MeasuredQuantity::drift_azimuth: {
         require_azimuth(value, predicted.drift_azimuth_rad.has_value());
         const double azimuth = predicted.drift_azimuth_rad.value_or(0);
-        return append(value, "drift_azimuth", value.angle_rad, azimuth, folded(value.angle_rad - azimuth));
+        return append(value, "drift_azimuth", value.value, azimuth, folded(value.value - azimuth));
       }
       case MeasuredQuantity::drift_tilt:
-        return append(value, "drift_tilt", value.angle_rad, predicted.drift_tilt_rad,
-                      value.angle_rad - predicted.drift_tilt_rad);
+        return append(value, "drift_tilt", value.value, predicted.drift_tilt_rad, value.value - predicted.drift_tilt_rad);
+      case MeasuredQuantity::rotor_rate:
+        if (!predicted.rotor_rate_rad_s)
+          refuse(value, "the rate of a rotor was measured, and the scenario has none; give it /rotor, or leave the column out");
+        return append(value, "rotor_rate", value.value, *predicted.rotor_rate_rad_s, value.value - *predicted.rotor_rate_rad_s);
       case MeasuredQuantity::axis: {
         const Vec3<double> m_L(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
         const auto [along_tilt, along_azimuth] = turn_to(m_L, n_L);
@@ -92,7 +96,7 @@ class RowResiduals {
                               value.t_s));
   }
   void append(const MeasuredValue& value, std::string_view quantity, double measured, double predicted, double residual) {
-    all_.push_back({value.t_s, value.line, quantity, measured, predicted, residual, value.standard_error_rad});
+    all_.push_back({value.t_s, value.line, quantity, measured, predicted, residual, value.standard_error});
   }
 
   const Measurement& measurement_;
@@ -115,7 +119,7 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
   for (const PredictedAxis& axis : motion.axes)
     points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
                       drift ? axis.drift_azimuth_rad.value_or(kNotMeasured) : kNotMeasured,
-                      drift ? axis.drift_tilt_rad : kNotMeasured});
+                      drift ? axis.drift_tilt_rad : kNotMeasured, axis.rotor_rate_rad_s.value_or(kNotMeasured)});
   return points;
 }
 
@@ -125,7 +129,9 @@ bool has_drifts(const Measurement& measurement) {
   });
 }
 
-PredictedMotion predict(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+namespace {
+
+PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch) {
   Scenario scenario = measured.scenario();
   prepare(scenario, times_s.back());
   // The choice of the method depends on the number of rows.
@@ -139,14 +145,16 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   PredictedMotion predicted;
   predicted.axes.reserve(times_s.size());
   // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top has its
-  // equations without the spin there, and a top on a table has all of its equations there.
+  // equations without the spin there; a top on a table, and the rotor of a gyrostat, have all of their equations there.
   const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced;
-  if (drift || is_driven_top || !scene.support().no_motion_alone.empty() || scene.scenario().effects.applied.coulomb_N_m != 0) {
+  if (drift || is_driven_top || scene.support().has_rotor || !scene.support().no_motion_alone.empty() ||
+      scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
       PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}};
       if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
+      if (sample.rotor) axis.rotor_rate_rad_s = sample.rotor->rate;
       predicted.axes.push_back(axis);
     }
     for (const ContactEvent& event : motion.contact_events)
@@ -159,6 +167,16 @@ PredictedMotion predict(const Scene& measured, const std::vector<double>& times_
   predicted.status = motion.status;
   for (const MotionSample<double>& sample : motion.samples)
     predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}});
+  return predicted;
+}
+
+}  // namespace
+
+PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+  PredictedMotion predicted = predicted_axes(scene, times_s, drift, watch);
+  if (!is_caged_top(scene.scenario())) return predicted;
+  const CagedTop<double> cage(scene.scenario());
+  for (PredictedAxis& axis : predicted.axes) axis.rotor_rate_rad_s = cage.rotor_rate(axis.t_s);
   return predicted;
 }
 

@@ -24,6 +24,7 @@ struct PredictedAxis {
   Vec3<double> n_L = Vec3<double>::Zero();
   double drift_tilt_rad = 0;                ///< (rad); 0 where no drift was asked for
   std::optional<double> drift_azimuth_rad;  ///< (rad), continuous; none where an axis is vertical, or no drift was asked for
+  std::optional<double> rotor_rate_rad_s = {};  ///< relative to the body; none without a rotor
 };
 struct PredictedMotion {
   RunStatus status = RunStatus::completed;

@@ -163,6 +163,7 @@ std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std:
         mean.drift_azimuth_rad.reset();
       weights += weight;
     }
+    mean.rotor_rate_rad_s = axes[begin + each / 2].rotor_rate_rad_s;  // it does not swing as the axis does
     mean.n_L.normalize();
     mean.drift_tilt_rad /= weights;
     if (mean.drift_azimuth_rad) *mean.drift_azimuth_rad /= weights;
@@ -246,7 +247,7 @@ void add_notes(MeasurementReport& report) {
     report.notes.emplace_back(
         "the scatter is smaller than the standard errors would make it: are they too large, or are the rows averages?");
   const bool far = std::any_of(report.residuals.begin(), report.residuals.end(), [](const MeasurementResidual& residual) {
-    return period_of(residual) > 0 && std::abs(residual.residual_rad) > std::numbers::pi / 2;
+    return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2;
   });
   if (far)
     report.notes.emplace_back(

@@ -16,7 +16,7 @@ FitProblem prediction_problem(const EstimatedInputs& inputs, const Measurement& 
     problem.scales.push_back(input.scale);
   }
   for (const MeasurementResidual& residual : residuals) {
-    problem.standard_error.push_back(residual.standard_error_rad);
+    problem.standard_error.push_back(residual.standard_error);
     problem.period.push_back(period_of(residual));
   }
   problem.stopped = [&watch] { return watch.asks_to_stop(); };
@@ -34,7 +34,7 @@ FitProblem prediction_problem(const EstimatedInputs& inputs, const Measurement& 
       return false;
     }
     found.clear();
-    for (const MeasurementResidual& residual : trials.latest) found.push_back(residual.residual_rad);
+    for (const MeasurementResidual& residual : trials.latest) found.push_back(residual.residual);
     return true;
   };
   return problem;

@@ -16,7 +16,7 @@ Whitening::Whitening(const std::vector<MeasurementResidual>& residuals, double t
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     const MeasurementResidual& residual = residuals[i];
     Link link;
-    link.period = period_of(residual) / residual.standard_error_rad;
+    link.period = period_of(residual) / residual.standard_error;
     const auto [place, is_first] = latest.try_emplace(residual.quantity, i);
     if (!is_first) {
       const MeasurementResidual& before = residuals[place->second];

@@ -54,7 +54,8 @@ Vec3<T> left_out_torque(const Model<T>& model, const Vec3<T>& W_B, const Vec3<T>
 
 template <class T, class S>
 Vec3<S> torque_of(const Model<T>& model, const SeenFromBody<S>& seen) {
-  return applied_torque(model.applied, model.I_BP_B, model.I_BP_B_inverse, seen);
+  // A gradient takes hold of all mass: of a free rotor's axial moment, too.
+  return applied_torque(model.applied, inertia_of_all(model), model.I_BP_B_inverse, seen);
 }
 
 }  // namespace applied_motion

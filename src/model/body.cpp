@@ -101,7 +101,7 @@ std::string missing_moments(const Mat3<double>& inertia) {
   return fmt::format("{} {} 0", names, count > 1 ? "are" : "is");
 }
 
-std::vector<Diagnostic> body_violations(const BodySpec& spec) {
+std::vector<Diagnostic> body_violations(const BodySpec& spec, bool has_rotor) {
   using Matrix = Mat3<long double>;
   const auto body = make_body<long double>(spec);
   if (!(body.mass > 0) || !std::isfinite(body.mass) || !std::isfinite(norm(body.p_PBcm_B)))
@@ -110,10 +110,10 @@ std::vector<Diagnostic> body_violations(const BodySpec& spec) {
   const Eigen::SelfAdjointEigenSolver<Matrix> at_pivot(body.I_BP_B, Eigen::EigenvaluesOnly);
   const long double largest = at_pivot.eigenvalues()[2], smallest = at_pivot.eigenvalues()[0];
   const long double slack = 32 * static_cast<long double>(real::epsilon<double>()) * std::abs(largest);
-  if (!std::isfinite(largest) || !(largest > 0))
+  if (!std::isfinite(largest) || !(largest > 0 || (has_rotor && largest == 0)))
     return {{0, 0, place, "the inertia tensor is not that of a body; the moments must be positive and finite"}};
   std::vector<Diagnostic> violations;
-  if (!(smallest > 0)) {
+  if (!has_rotor && !(smallest > 0)) {
     const std::string missing = missing_moments(body.I_BP_B.cast<double>());
     const std::string least = fmt::format("least principal moment {:.6g} kg m^2, largest {:.6g}", static_cast<double>(smallest),
                                           static_cast<double>(largest));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "earthtop/model/gyrostat.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace earthtop {
@@ -14,6 +15,16 @@ template <class T>
 Vec3<T> unit_axis(const RotorSpec& spec) {
   const Vec3<T> axis = vector<T>(spec.axis);
   return axis / norm(axis);
+}
+
+/// The rotor's inertia about the pivot.   @param whole  whether with its axial moment
+template <class T>
+Mat3<T> rotor_inertia(const RotorSpec& spec, bool whole) {
+  const Vec3<T> axis_B = unit_axis<T>(spec);
+  const Mat3<T> along = axis_B * axis_B.transpose();
+  const Mat3<T> across =
+      point_mass_inertia(T(spec.mass_kg), vector<T>(spec.center_m)) + T(spec.transverse_kg_m2) * (Mat3<T>::Identity() - along);
+  return whole ? Mat3<T>(across + T(spec.axial_kg_m2) * along) : across;
 }
 
 }  // namespace
@@ -44,6 +55,10 @@ Rotor<T> make_rotor(const RotorSpec& spec) {
       rotor.drive.frequency = T(spec.frequency_hz);
       rotor.drive.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
       break;
+    case RotorDrive::table:
+      if (!spec.table.rows) throw std::invalid_argument("rotor drive \"table\": there is no table");
+      rotor.drive.table = std::make_shared<const AngleSpline<T>>(*spec.table.rows);
+      break;
   }
   if (rotor.driven) rotor.spin = rotor.driven_rate(T(0));
   return rotor;
@@ -51,19 +66,27 @@ Rotor<T> make_rotor(const RotorSpec& spec) {
 
 template <class T>
 Body<T> gyrostat_body(const Body<T>& cage, const RotorSpec& spec, bool whole) {
-  const Vec3<T> center_B = vector<T>(spec.center_m), axis_B = unit_axis<T>(spec);
-  const T mass = T(spec.mass_kg), axial = T(spec.axial_kg_m2);
-  const Mat3<T> about_axis = axis_B * axis_B.transpose();
+  const T mass = T(spec.mass_kg);
   Body<T> body;
   body.mass = cage.mass + mass;
-  body.p_PBcm_B = (cage.mass * cage.p_PBcm_B + mass * center_B) / body.mass;
-  const Mat3<T> I =
-      cage.I_BP_B + point_mass_inertia(mass, center_B) + T(spec.transverse_kg_m2) * (Mat3<T>::Identity() - about_axis);
-  const Mat3<T> of_both = I + axial * about_axis;
-  body.I_BP_B = whole ? of_both : I;
+  body.p_PBcm_B = (cage.mass * cage.p_PBcm_B + mass * vector<T>(spec.center_m)) / body.mass;
+  const Mat3<T> of_both = cage.I_BP_B + rotor_inertia<T>(spec, true);
+  body.I_BP_B = whole ? of_both : Mat3<T>(cage.I_BP_B + rotor_inertia<T>(spec, false));
   body.S_BP_B = (of_both.trace() / T(2)) * Mat3<T>::Identity() - of_both;
   body.I_BP_B_inverse = symmetric_inverse(body.I_BP_B);
   return body;
+}
+
+template <class T>
+Body<T> without_rotor(const Body<T>& both, const RotorSpec& spec, bool whole) {
+  const T mass = T(spec.mass_kg);
+  Body<T> cage;
+  cage.mass = both.mass - mass;
+  cage.p_PBcm_B = (both.mass * both.p_PBcm_B - mass * vector<T>(spec.center_m)) / cage.mass;
+  cage.I_BP_B = both.I_BP_B - rotor_inertia<T>(spec, whole);
+  cage.S_BP_B = (cage.I_BP_B.trace() / T(2)) * Mat3<T>::Identity() - cage.I_BP_B;
+  cage.I_BP_B_inverse = symmetric_inverse(cage.I_BP_B);
+  return cage;
 }
 
 template <class T>
@@ -86,6 +109,7 @@ void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units) {
 #define EARTHTOP_ROTOR(T)                                                 \
   template Rotor<T> make_rotor(const RotorSpec&);                         \
   template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
+  template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
   template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)

@@ -70,13 +70,24 @@ ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB
 
 template <class T>
 ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B,
-                             const Vec3<T>& field_L, const Vec3<T>& applied_B) {
+                             const Vec3<T>& field_L, const Vec3<T>& applied_B, const RotorInside<T>& rotor) {
   ObservingFrame<T> B;
   B.R_LA = R_LB;
   B.w_IA_A = w_LB_B + transposed_times(R_LB, model.W_IL_L);
-  B.alpha_IA_A = body_equation<true, SceneKind::full>(model, Motion<T>{q_LB, B.w_IA_A}, field_L).m +
-                 times(model.I_BP_B_inverse, applied_B);
+  const Motion<T> motion{q_LB, B.w_IA_A};
+  const Vec3<T> without_applied = model.kind == SceneKind::gyrostat
+                                      ? body_equation<true, SceneKind::gyrostat>(model, motion, field_L, rotor).m
+                                      : body_equation<true, SceneKind::full>(model, motion, field_L).m;
+  B.alpha_IA_A = without_applied + times(model.I_BP_B_inverse, applied_B);
   return B;
+}
+
+/// What turns inside the body, with rates relative to inertial space.
+template <class T>
+RotorInside<T> rotor_at(const Model<T>& model, T t, const Vec3<T>& w_IB_B, T spin) {
+  const Rotor<T>& rotor = model.rotor;
+  if (model.kind != SceneKind::gyrostat) return {Vec3<T>::Zero(), Vec3<T>::Zero(), Mat3<T>::Zero(), T(0), T(0)};
+  return rotor_inside(rotor, T(rotor.axial * (rotor.axis_B.dot(w_IB_B) + spin)), t, [&](const Vec3<T>&) { return w_IB_B; });
 }
 
 /// The Coriolis torque as Euler's equation gives it, for a frame that turns at u and a body that turns at w relative to it.
@@ -116,39 +127,49 @@ std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& mode
 /// The side of the ledger with the torques of [F] (torques.hpp).
 template <class T>
 void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory,
-                   const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& applied_B) {
+                   const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& applied_B, const RotorInside<T>& rotor) {
   const Mat3<T> S_BP_A = turned_tensor(A.R_AB, model.S_BP_B);
-  const Mat3<T> J_A = velocity_moment<T>(S_BP_A, times(A.R_AB, A.w_AB_B));
+  const auto velocity_moment_A = [&](const Vec3<T>& w_B) {
+    const Vec3<T> w_A = times(A.R_AB, w_B);
+    return model.kind == SceneKind::gyrostat ? velocity_moment(S_BP_A, w_A, A.R_AB, rotor) : velocity_moment(S_BP_A, w_A);
+  };
+  const Mat3<T> J_A = velocity_moment_A(A.w_AB_B);
   entry.tau_phys_A =
       field_torque<T>(times(A.R_AB, model.mass_moment_B), transposed_times(A.R_LA, field_L)) + times(A.R_AB, applied_B);
   entry.tau_cor_A = coriolis_torque(A.w_IA_A, J_A);
+  const Mat3<T> S_rate_A = J_A + J_A.transpose(), I_rate_A = S_rate_A.trace() * Mat3<T>::Identity() - S_rate_A;
+  const Vec3<T> momentum_A(J_A(1, 2) - J_A(2, 1), J_A(2, 0) - J_A(0, 2), J_A(0, 1) - J_A(1, 0));
+  entry.tau_cor_inertia_A = -times(I_rate_A, A.w_IA_A);
+  entry.tau_cor_gyroscopic_A = momentum_A.cross(A.w_IA_A);
   entry.tau_trans_A = transverse_torque(A.alpha_IA_A, S_BP_A);
   entry.tau_cent_A = centrifugal_torque(A.w_IA_A, S_BP_A);
   if (model.kind == SceneKind::plain) return;
   if (in_laboratory) {
-    entry.tau_cor_A *= model.weights.coriolis;
+    for (Vec3<T>* part : {&entry.tau_cor_A, &entry.tau_cor_inertia_A, &entry.tau_cor_gyroscopic_A})
+      *part *= model.weights.coriolis;
     entry.tau_trans_A *= model.weights.transverse;
     entry.tau_cent_A *= model.weights.centrifugal;
   } else {
     const Vec3<T> W_A = transposed_times(A.R_LA, model.W_IL_L);
-    entry.tau_phys_A -= laboratory_torque<SceneKind::full>(model.weights.complement(), W_A, W_A, times(A.R_AB, w_LB_B), S_BP_A);
+    entry.tau_phys_A -=
+        laboratory_torque<SceneKind::full>(model.weights.complement(), W_A, W_A, velocity_moment_A(w_LB_B), S_BP_A);
   }
 }
 
-/// The side of the ledger with Euler's equation.
+/// The side of the ledger with Euler's equation.   @param inside_B  the momentum of what turns inside the body, relative to it
 template <class T>
 Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory, const Mat3<T>& R_LB,
-                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B) {
-  const Mat3<T>& I_BP_B = model.I_BP_B;
+                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B, const Vec3<T>& inside_B) {
+  const Mat3<T> I_BP_B = inertia_of_all(model);
   const Vec3<T> u_B = transposed_times(A.R_AB, A.w_IA_A);
-  Vec3<T> cor_B = coriolis_by_euler(I_BP_B, u_B, A.w_AB_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
+  Vec3<T> cor_B = coriolis_by_euler(I_BP_B, u_B, A.w_AB_B) + inside_B.cross(u_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
   Vec3<T> applied_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L)) + further_B;
   if (in_laboratory) {
     cor_B *= model.weights.coriolis, cent_B *= model.weights.centrifugal;
   } else {
     const TorqueWeights<T> left_out = model.weights.complement();
     const Vec3<T> W_B = transposed_times(R_LB, model.W_IL_L);
-    applied_B -= left_out.coriolis * coriolis_by_euler(I_BP_B, W_B, w_LB_B);
+    applied_B -= left_out.coriolis * (coriolis_by_euler(I_BP_B, W_B, w_LB_B) + inside_B.cross(W_B));
     applied_B -= left_out.centrifugal * centrifugal_by_euler(I_BP_B, W_B);
   }
   const Vec3<T> carried_B = times(I_BP_B, transposed_times(A.R_AB, A.alpha_IA_A));
@@ -158,7 +179,8 @@ Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool 
 /// Makes zeros positive, because a product with a rate of zero may have given -0, and takes the residual.
 template <class T>
 void close(LedgerEntry<T>& entry) {
-  for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A})
+  for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A,
+                          &entry.tau_cor_inertia_A, &entry.tau_cor_gyroscopic_A})
     *column += Vec3<T>::Zero();
   entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
 }
@@ -167,37 +189,44 @@ void close(LedgerEntry<T>& entry) {
 
 template <class T>
 LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,
-                            const Vec3<T>& w_LB_B) {
+                            const Vec3<T>& w_LB_B, T spin) {
   if (observer == LedgerObserver::platform && model.platform.turn.never_turns()) observer = LedgerObserver::laboratory;
   const Mat3<T> R_LB = rotation_matrix(q_LB);
   const Vec3<T> field_L = pivot_field<SceneKind::full>(model, t).rotating_L;
   const Vec3<T> applied_B = model.applied.any ? applied_torque_B(model, t, q_LB, w_LB_B, true) : Vec3<T>(Vec3<T>::Zero());
+  const RotorInside<T> rotor = rotor_at(model, t, Vec3<T>(w_LB_B + transposed_times(R_LB, model.W_IL_L)), spin);
   const bool in_laboratory = observer == LedgerObserver::laboratory;
   ObservingFrame<T> A;
   switch (observer) {
     case LedgerObserver::inertial: A = inertial_frame(model, t, R_LB, w_LB_B); break;
     case LedgerObserver::laboratory: A = laboratory_frame(model, R_LB, w_LB_B); break;
     case LedgerObserver::platform: A = platform_frame(model, t, R_LB, w_LB_B); break;
-    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L, applied_B); break;
+    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L, applied_B, rotor); break;
   }
   LedgerEntry<T> entry;
-  if (model.kind == SceneKind::full) {
+  if (model.kind != SceneKind::plain) {
     const auto shares_B = applied_shares_B(model, t, q_LB, w_LB_B, applied_B);
     for (std::size_t i = 0; i < shares_B.size(); ++i) entry.share_A[i] = times(A.R_AB, shares_B[i]) + Vec3<T>::Zero();
   }
-  count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B);
-  // The body is always at rest in its own axes: L' is and remains zero.
-  if (observer != LedgerObserver::body)
-    entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B);
+  count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B, rotor);
+  const Vec3<T> axis_B = model.kind == SceneKind::gyrostat ? model.rotor.axis_B : Vec3<T>(Vec3<T>::Zero());
+  if (observer != LedgerObserver::body) {
+    const Vec3<T> inside_B = (model.rotor.axial * rotor.spin) * axis_B;
+    entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B, inside_B);
+  } else if (model.kind == SceneKind::gyrostat) {
+    // The body is at rest in its own axes: only the rotor's momentum changes. A free rotor's is C (w_IB.c + s), less what the body turns.
+    const T carried = model.rotor.driven ? T(0) : T(model.rotor.axial * axis_B.dot(A.alpha_IA_A));
+    entry.dL_dt_A = rotor.momentum_rate_B - carried * axis_B;
+  }
   close(entry);
   return entry;
 }
 template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
-                                          const Vec3<double>&);
+                                          const Vec3<double>&, double);
 template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
-                                               const Quaternion<long double>&, const Vec3<long double>&);
+                                               const Quaternion<long double>&, const Vec3<long double>&, long double);
 template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128, const Quaternion<float128>&,
-                                            const Vec3<float128>&);
+                                            const Vec3<float128>&, float128);
 
 template <class T>
 LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& model, const Contact<T>& contact,
@@ -242,7 +271,8 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
 
   LedgerEntry<T> entry;
   const Vec3<T> physical_H = ledger.gravity + ledger.tip + ledger.gradient + ledger.friction;
-  count_torques<T>(entry, model, A, in_laboratory, state.w_LB_B, Vec3<T>::Zero(), transposed_times(x.R_HB, physical_H));
+  count_torques<T>(entry, model, A, in_laboratory, state.w_LB_B, Vec3<T>::Zero(), transposed_times(x.R_HB, physical_H),
+                   rotor_at(model, t, state.w_LB_B, T(0)));
   const Vec3<T> mass_moment_H = contact.mass * times(x.R_HB, contact.p_OC_B);
   entry.share_A = {from_H(field_torque(mass_moment_H, tide_H)), from_H(ledger.gradient), from_H(ledger.friction),
                    Vec3<T>::Zero()};

@@ -27,8 +27,8 @@ Platform<T> make_platform(const PlatformSpec& spec) {
       platform.turn.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
       break;
     case PlatformMotion::table:
-      if (!spec.table) throw std::invalid_argument("platform motion \"table\": there is no table");
-      platform.turn.table = std::make_shared<const AngleSpline<T>>(*spec.table);
+      if (!spec.table.rows) throw std::invalid_argument("platform motion \"table\": there is no table");
+      platform.turn.table = std::make_shared<const AngleSpline<T>>(*spec.table.rows);
       break;
   }
   return platform;

@@ -15,19 +15,16 @@ namespace earthtop {
 namespace plan {
 namespace {
 
-constexpr MeasuredQuantity kQuantities[] = {MeasuredQuantity::azimuth, MeasuredQuantity::tilt, MeasuredQuantity::axis,
-                                            MeasuredQuantity::drift_azimuth, MeasuredQuantity::drift_tilt};
-constexpr std::string_view kUnits[] = {"rad", "deg", "arcsec"};
-
 [[noreturn]] void refuse_quantity(const std::string& name) {
   std::vector<std::string> names;
-  for (const MeasuredQuantity quantity : kQuantities)
-    for (const std::string_view unit : kUnits) names.push_back(fmt::format("{}_{}", to_string(quantity), unit));
+  for (const MeasuredQuantity quantity : measure::kAllMeasured)
+    for (const measure::MeasuredUnit& unit : measure::units_of(quantity))
+      names.push_back(fmt::format("{}_{}", to_string(quantity), unit.name));
   const auto meant = input::suggest(name, std::vector<std::string_view>(names.begin(), names.end()));
   throw ScenarioError(
       "--measure " + input::excerpt(name, 80),
       fmt::format("unknown; allowed are azimuth, tilt, axis, drift_azimuth and drift_tilt, each with _rad, _deg "
-                  "or _arcsec, e.g. azimuth_deg{}",
+                  "or _arcsec, e.g. azimuth_deg; and rotor_rate_rad_s or rotor_rate_rpm{}",
                   meant ? fmt::format("; did you mean {}?", *meant) : ""));
 }
 
@@ -59,7 +56,7 @@ Measurement empty_measurement(const std::vector<PlannedQuantity>& quantities, co
   measurement.values.reserve(times_s.size() * quantities.size());
   for (const double t_s : times_s)
     for (const PlannedQuantity& quantity : quantities)
-      measurement.values.push_back({quantity.quantity, t_s, 0, {}, quantity.standard_error * quantity.unit_rad, 0});
+      measurement.values.push_back({quantity.quantity, t_s, 0, {}, quantity.standard_error * quantity.unit_size, 0});
   return measurement;
 }
 
@@ -70,6 +67,8 @@ void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
     while (motion.axes[at].t_s < value.t_s) ++at;
     const Vec3<double>& n_L = motion.axes[at].n_L;
     value.axis_L = {n_L[0], n_L[1], n_L[2]};
+    if (value.quantity == MeasuredQuantity::rotor_rate && !motion.axes[at].rotor_rate_rad_s)
+      throw ScenarioError("--measure", "rotor_rate: the scenario has no rotor; give it /rotor, or measure something else");
   }
   std::vector<MeasurementResidual> residuals;
   try {
@@ -80,7 +79,7 @@ void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
   }
   auto residual = residuals.begin();
   for (MeasuredValue& value : measurement.values) {
-    value.angle_rad = residual->predicted_rad;
+    value.value = residual->predicted;
     residual += value.quantity == MeasuredQuantity::axis ? 2 : 1;
   }
 }
@@ -95,17 +94,18 @@ Overrides lasting(Overrides overrides, const Scenario& scenario, double until_s)
 }  // namespace plan
 
 PlannedQuantity planned_quantity(const std::string& name, double standard_error) {
-  const std::size_t split = name.rfind('_');
-  if (split == std::string::npos) plan::refuse_quantity(name);
-  const std::string quantity = name.substr(0, split), unit = name.substr(split + 1);
+  std::string quantity, unit;
+  for (const MeasuredQuantity measured : measure::kAllMeasured)
+    for (const measure::MeasuredUnit& one : measure::units_of(measured))
+      if (name == fmt::format("{}_{}", to_string(measured), one.name)) quantity = to_string(measured), unit = one.name;
+  if (quantity.empty()) plan::refuse_quantity(name);
   std::vector<std::string> header = {"t_s", name};
   if (quantity == to_string(MeasuredQuantity::axis)) header = {"t_s", "axis_L_x", "axis_L_y", "axis_L_z"};
   header.push_back(fmt::format("{}_se_{}", quantity, unit));
   const measure::MeasurementColumns columns = measure::measurement_columns(header);
-  if (!columns.errors.empty() || columns.quantities.size() != 1) plan::refuse_quantity(name);
   if (!(standard_error > 0) || !std::isfinite(standard_error) || !std::isfinite(1 / standard_error))
     throw ScenarioError("--sigma", fmt::format("of {} must be above 0 ({})", name, unit));
-  return {name, columns.quantities[0].quantity, unit, columns.quantities[0].error_rad, standard_error};
+  return {name, columns.quantities[0].quantity, unit, columns.quantities[0].error_unit, standard_error};
 }
 
 }  // namespace earthtop

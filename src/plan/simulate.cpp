@@ -125,12 +125,12 @@ std::optional<std::string> simulated_measurement(const ScenarioSource& source,
     fmt::format_to(to, "{}", t_s);
     for (std::size_t q = 0; q < plan.quantities.size(); ++q, ++value) {
       const PlannedQuantity& quantity = plan.quantities[q];
-      const double first = errors[q][0].next(t_s, plan.correlation_time_s, normal) * value->standard_error_rad;
+      const double first = errors[q][0].next(t_s, plan.correlation_time_s, normal) * value->standard_error;
       if (quantity.quantity == MeasuredQuantity::axis) {
-        const double second = errors[q][1].next(t_s, plan.correlation_time_s, normal) * value->standard_error_rad;
+        const double second = errors[q][1].next(t_s, plan.correlation_time_s, normal) * value->standard_error;
         for (const double component : turned(value->axis_L, first, second)) fmt::format_to(to, ",{}", component);
       } else {
-        fmt::format_to(to, ",{}", as_read(quantity.quantity, value->angle_rad + first) / quantity.unit_rad);
+        fmt::format_to(to, ",{}", as_read(quantity.quantity, value->value + first) / quantity.unit_size);
       }
       fmt::format_to(to, ",{}", quantity.standard_error);
     }

@@ -22,6 +22,8 @@ bool has_table_friction(const Scene& scene) {
          (contact->law != ContactLaw::frictionless || contact->spinning_friction_m > 0 || contact->rolling_resistance_m > 0);
 }
 
+bool has_rotor(const Scene& scene) { return scene.scenario().rotor.has_value(); }
+
 constexpr TorqueQuantity kTorques[] = {
     torque("tau_phys",
            "physical torque: apparent gravity, the effect of a driven pivot, and everything else that acts on the top",
@@ -48,12 +50,18 @@ constexpr TorqueQuantity kTorques[] = {
         "tau_gimbal", "part of the physical torque: the gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
     torque(
+        "tau_cor_inertia", "part of the Coriolis torque: the change of the inertia that the observer sees",
+        "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, has_rotor),
+    torque(
+        "tau_cor_gyroscopic", "part of the Coriolis torque: gyroscopic, of the angular momentum that the observer sees",
+        "tau_cor_gyroscopic_N_m", [](const auto& r) { return r.tau_cor_gyroscopic_A; }, has_rotor),
+    torque(
         "force_table", "force of the table on the tip", "force_table_N", [](const auto& r) { return r.force_table_A; },
         [](const Scene& scene) { return scene.support().has_contact; }, RowPart::torque, "_N"),
 };
 
 constexpr bool shares_are_in_order() {
-  constexpr std::size_t kFirst = std::size(kTorques) - 1 - kAppliedShares.size();  // the table's force is last
+  constexpr std::size_t kFirst = std::size(kTorques) - 3 - kAppliedShares.size();  // those of a rotor and of a table are last
   for (std::size_t i = 0; i < kAppliedShares.size(); ++i)
     if (kTorques[kFirst + i].stem.substr(4) != kAppliedShares[i]) return false;
   return true;

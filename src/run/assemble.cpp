@@ -72,7 +72,8 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
     BasicDriftRow<T> row = make_row(made.first.samples[i], none, parts);
     row.drift_axis_bound_rad = row.drift_attitude_bound_rad = T(kUnknown);
     if (row.contact) row.contact->drift_tip_bound_m = T(kUnknown);
-    if (row.rotor) row.rotor->drift_axis_bound_rad = T(kUnknown);
+    if (row.rotor)
+      row.rotor->drift_axis_bound_rad = row.rotor->drift_rate_bound_rad_s = row.rotor->drift_angle_bound_rad = T(kUnknown);
     add_row(row, result);
   }
   result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
@@ -179,6 +180,7 @@ class Assembly {
         const DriftSample<T>& second = made_.second.samples[compared];
         bound.include(sample.measures, second.measures, sample.state.epsilon);
         if (sample.contact && second.contact) bound.include(*sample.contact, *second.contact, sample.state.epsilon);
+        if (sample.rotor && second.rotor) bound.include(*sample.rotor, *second.rotor, sample.state.epsilon);
         bound.include_stated(sample.drift_error);
       }
       const DriftSample<T>& sample = made_.first.samples[i];

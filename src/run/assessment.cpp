@@ -21,7 +21,8 @@ Vec3<T> vector(const std::array<T, 3>& v) {
 
 PivotConditions conditions_of(const Scene& scene) {
   PivotConditions conditions;
-  conditions.alone = scene.is_plain() || (scene.support().has_rotor && scene.scenario().effects.plain());
+  conditions.alone =
+      scene.is_plain() || (scene.support().has_rotor && !scene.scenario().platform && scene.scenario().effects.plain());
   const auto& rotor = scene.scenario().rotor;
   conditions.has_rotor = rotor.has_value();
   if (!rotor) {
@@ -60,14 +61,14 @@ std::vector<InvariantReport> follow_invariants(const Scene& scene, const std::ve
 
 template <class T>
 std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<BasicDriftRow<T>>& rows, const Watch& watch) {
-  const Model<T>& model = scene.model<T>();
+  const Model<T> model = model_of_rows<T>(scene);
   std::vector<LedgerRow<T>> ledger;
   ledger.reserve(rows.size());
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     if (ledger.size() % 64 == 0) watch.reach(static_cast<double>(ledger.size()) / static_cast<double>(rows.size()));
-    ledger.push_back(
-        ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion_of(row.q_LB), vector_of(row.w_LB_B))));
+    ledger.push_back(ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion_of(row.q_LB),
+                                             vector_of(row.w_LB_B), row.rotor ? row.rotor->rate_rad_s : T(0))));
   }
   return ledger;
 }

@@ -20,14 +20,14 @@ struct LanePoint {
   IntegrationOptions options;
   std::string reason;
 };
-/// What points side by side must share: whether their equations are recorded, whether they are those of a wheel in a gimbal, form,
-/// tolerance and step limit.
-using Shared = std::tuple<bool, bool, ModelForm, double, std::int64_t>;
+/// What points side by side must share: the kind of their equations, whether they are those of a wheel in a gimbal, form, tolerance and
+/// step limit.
+using Shared = std::tuple<SceneKind, bool, ModelForm, double, std::int64_t>;
 
 /// Whether the equations of a scene that is not plain can be recorded for lanes: a motion on a pivot that is smooth from the release on.
 bool can_be_recorded(const Scene& scene) {
   return !scene.support().has_contact && scene.scenario().effects.applied.coulomb_N_m == 0 &&
-         scene.problem_without_rows<double>().model.kind == SceneKind::full;
+         scene.problem_without_rows<double>().model.kind != SceneKind::plain;
 }
 
 /// Returns whether the run of this scene is a single pair of integrations of which the first is a Taylor series, either of a
@@ -148,7 +148,7 @@ std::vector<BatchOutcome> run_batch(std::span<const Scene> scenes, const Watch& 
           scene.require_affordable();
           LanePoint point = lane_point(i, scene);
           const Model<double>& model = scene.problem_without_rows<double>().model;
-          const Shared shared{!scene.is_plain(), is_compass(model), point.options.form, point.options.relative_tolerance,
+          const Shared shared{model.kind, is_compass(model), point.options.form, point.options.relative_tolerance,
                               point.options.step_limit};
           lanes[shared].push_back(std::move(point));
           continue;

@@ -158,9 +158,25 @@ class DriftBound {
     tip_distance_ = std::max(tip_distance_, T(real::hypot(apart[0], apart[1], apart[2])));
     tip_largest_ = std::max(tip_largest_, T(real::hypot(drift[0], drift[1], drift[2])));
   }
+  /// Includes the rotors of a gyrostat.
+  void include(const RotorState<T>& rows, const RotorState<T>& second, T epsilon) {
+    const T vector = epsilon * norm(Vec3<T>(rows.axis.difference_L_scaled - second.axis.difference_L_scaled));
+    rotor_axis_.include(rows.axis.angle, std::max(vector, T(real::abs(rows.axis.angle - second.axis.angle))));
+    rotor_rate_.include(epsilon * rows.rate_difference_scaled,
+                        epsilon * (rows.rate_difference_scaled - second.rate_difference_scaled));
+    rotor_angle_.include(epsilon * rows.angle_difference_scaled,
+                         epsilon * (rows.angle_difference_scaled - second.angle_difference_scaled));
+    has_rotor_ = true;
+  }
   /// Includes the error of a row that the method itself states.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
   T axis() const { return T(safety_) * axis_distance_ + round_off_ * axis_largest_ + stated_; }
+  /// The bound on the error of the drift of the axis that is watched: the rotor's of a gyrostat, else body axis 3.
+  T watched_axis() const { return has_rotor_ ? rotor_axis() : axis(); }
+  /// The bounds on the errors of the drifts of a rotor: of its axis (rad), its rate (rad/s) and its angle (rad).
+  T rotor_axis() const { return of(rotor_axis_) + stated_; }
+  T rotor_rate() const { return of(rotor_rate_); }
+  T rotor_angle() const { return of(rotor_angle_); }
   /// The bound on the error of the tip's drift (m).
   T tip() const { return T(safety_) * tip_distance_ + round_off_ * tip_largest_; }
   /// The bound is never below that of the axis, which is part of the attitude: in an unstable scene two runs can agree in
@@ -170,7 +186,18 @@ class DriftBound {
   }
 
  private:
+  /// The largest drift of some quantity, and its largest distance from that of the second integration.
+  struct Distance {
+    T largest = T(0), distance = T(0);
+    void include(const T& drift, const T& apart) {
+      largest = std::max(largest, T(real::abs(drift))), distance = std::max(distance, T(real::abs(apart)));
+    }
+  };
+  T of(const Distance& one) const { return T(safety_) * one.distance + round_off_ * one.largest; }
+
   T round_off_;
+  Distance rotor_axis_, rotor_rate_, rotor_angle_;
+  bool has_rotor_ = false;
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
   T tip_distance_ = T(0), tip_largest_ = T(0);
   T stated_ = T(0);

@@ -27,14 +27,16 @@ T bound_at_passing(const TwoIntegrations<T>& made, const AxisDriftSample<T>& pas
       break;
     }
     stated = std::max(stated, sample.drift_error);
-    bound.include(sample.measures, made.second.samples[i].measures, sample.state.epsilon);
+    const DriftSample<T>& second = made.second.samples[i];
+    bound.include(sample.measures, second.measures, sample.state.epsilon);
+    if (sample.rotor && second.rotor) bound.include(*sample.rotor, *second.rotor, sample.state.epsilon);
   }
   const AxisDriftSample<T>& other = *made.second.threshold->passing;
   const T later = passing.t - other.t;
   const Vec3<T> apart = passing.difference - (other.difference + later * other.difference_rate);
   const T distance = std::max(norm(apart), T(real::abs(passing.rate * later)));
   const T round_off = T(1024) * real::epsilon<T>() * passing.axis;
-  return stated + std::max(bound.axis(), T(T(safety) * distance + round_off));
+  return stated + std::max(bound.watched_axis(), T(T(safety) * distance + round_off));
 }
 
 /// Returns the time (s) that the drift takes from the threshold to a distance `bound` from it, by its rate and curvature; empty
@@ -121,7 +123,7 @@ void assess_threshold(const TwoIntegrations<T>& made, double threshold_rad, int 
     drift.threshold_crossing =
         short_of_it.turned_back >= short_of_it.highest ? ThresholdCrossing::tangential : ThresholdCrossing::uncertain;
   } else {
-    const bool told = T(drift.axis_bound_rad) < threshold - first.highest && !first.unresolved;
+    const bool told = T(drift.watched_axis_bound_rad()) < threshold - first.highest && !first.unresolved;
     const bool turned = first.turned_back >= first.highest;
     drift.threshold_crossing = told     ? ThresholdCrossing::not_reached
                                : turned ? ThresholdCrossing::tangential

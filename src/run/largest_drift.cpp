@@ -324,9 +324,8 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   if (has_rotor)
     if (const auto& found = sought[rotor].largest; found && found->value >= *drift.rotor_axis_max_rad) {
       const JudgedLook& at = judged_at(judged, found->t_s);
-      const bool is_axis_3 = result.rows.front().rotor->axis_L == result.rows.front().axis_L;
       drift.rotor_axis_max_rad = found->value, drift.rotor_axis_max_at_s = found->t_s;
-      drift.rotor_axis_max_bound_rad = (is_axis_3 ? at.axis_bound_rad : at.attitude_bound_rad) + found->error;
+      drift.rotor_axis_max_bound_rad = at.watched_axis_bound_rad() + found->error;
     }
   if (trend == nullptr) return;
   const auto &least = sought[swings].largest, &most = sought[swings + 1].largest;

@@ -43,8 +43,12 @@ std::vector<DriftSample<double>> take_between(TwoIntegrations<T>& made) {
 template <class T>
 JudgedLook judged_look(const DriftSample<T>& sample, const DriftBound<T>& bound) {
   const auto number = [](const T& value) { return static_cast<double>(value); };
-  return {number(sample.state.t_s), number(sample.measures.axis), number(sample.measures.attitude),
-          number(bound.axis()),     number(bound.attitude()),     number(bound.tip())};
+  JudgedLook look{number(sample.state.t_s), number(sample.measures.axis), number(sample.measures.attitude),
+                  number(bound.axis()),     number(bound.attitude()),     number(bound.tip())};
+  if (sample.rotor)
+    look.rotor = {number(sample.rotor->axis.angle), number(bound.rotor_axis()), number(bound.rotor_rate()),
+                  number(bound.rotor_angle())};
+  return look;
 }
 
 /// Makes rows of looks, without bounds.

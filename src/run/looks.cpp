@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "drift/motion_way.hpp"
-#include "run/rotor_rows.hpp"
 #include "scene/parts.hpp"
 
 namespace earthtop {
@@ -132,7 +131,11 @@ void take_bounds(std::span<const JudgedLook> judged, DriftRow& row) {
   const JudgedLook& bounds = judged_at(judged, row.t_s);
   row.drift_axis_bound_rad = bounds.axis_bound_rad, row.drift_attitude_bound_rad = bounds.attitude_bound_rad;
   if (row.contact) row.contact->drift_tip_bound_m = bounds.tip_bound_m;
-  if (row.rotor) row.rotor->drift_axis_bound_rad = rotor_axis_bound(row);
+  if (!row.rotor) return;
+  row.rotor->drift_axis_bound_rad = bounds.watched_axis_bound_rad();
+  if (!bounds.rotor) return;
+  row.rotor->drift_rate_bound_rad_s = bounds.rotor->rate_bound_rad_s;
+  row.rotor->drift_angle_bound_rad = bounds.rotor->angle_bound_rad;
 }
 
 bool looks_between_rows(const IntegrationOptions& first, Precision precision) {

@@ -55,6 +55,14 @@ struct JudgedLook {
   double axis_rad = 0, attitude_rad = 0;              ///< drifts
   double axis_bound_rad = 0, attitude_bound_rad = 0;  ///< bounds on their errors
   double tip_bound_m = 0;                             ///< of a top on a table
+  /// Of the rotor of a gyrostat: the drift of its axis, and bounds on the errors of the drifts of axis, rate and angle.
+  struct OfRotor {
+    double axis_rad = 0, axis_bound_rad = 0, rate_bound_rad_s = 0, angle_bound_rad = 0;
+  };
+  std::optional<OfRotor> rotor = {};
+
+  double watched_axis_rad() const { return rotor ? rotor->axis_rad : axis_rad; }
+  double watched_axis_bound_rad() const { return rotor ? rotor->axis_bound_rad : axis_bound_rad; }
 };
 /// The bounds at a time: those of the first look for judgement that is not earlier, since bounds only grow.
 const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s);

@@ -4,27 +4,13 @@
 
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "run/drift_bound.hpp"
 #include "run/row_vectors.hpp"
 
 namespace earthtop {
 
-/// The angle between an axis of the body in both motions, found without subtracting one from the other.
 template <class T>
-T angle_between(const DriftState<T>& s, const Vec3<T>& axis_B) {
-  const Vec3<T> v = s.e_v_scaled;
-  return T(2) * real::atan2(T(s.epsilon * norm(Vec3<T>(v.cross(axis_B)))), real::hypot(s.e_w, T(s.epsilon * v.dot(axis_B))));
-}
-
-/// The bound on the error of the drift of the rotor's axis: that of body axis 3 where it is this axis; otherwise that of the attitude,
-/// whose error turns no axis by more than itself.
-template <class T>
-T rotor_axis_bound(const BasicDriftRow<T>& row) {
-  return row.rotor->axis_L == row.axis_L ? row.drift_axis_bound_rad : row.drift_attitude_bound_rad;
-}
-
-/// @param row  whose other parts are there
-template <class T>
-void add_rotor_row(const DriftState<T>& s, const RotorState<T>& rotor, BasicDriftRow<T>& row) {
+void add_rotor_row(const DriftState<T>& s, const RotorState<T>& rotor, const DriftBound<T>& bound, BasicDriftRow<T>& row) {
   BasicRotorRow<T>& made = row.rotor.emplace();
   const auto axis = [&](const Quaternion<T>& q_LB) {
     return to_array(Vec3<T>(times(rotation_matrix(q_LB.normalized()), rotor.axis_B)));
@@ -35,8 +21,10 @@ void add_rotor_row(const DriftState<T>& s, const RotorState<T>& rotor, BasicDrif
   made.ref_axis_L = axis(s.ref_q_LB);
   made.drift_rate_rad_s = s.epsilon * rotor.rate_difference_scaled;
   made.drift_angle_rad = s.epsilon * rotor.angle_difference_scaled;
-  made.drift_axis_rad = angle_between(s, rotor.axis_B);
-  made.drift_axis_bound_rad = rotor_axis_bound(row);
+  made.drift_axis_rad = rotor.axis.angle;
+  made.drift_axis_bound_rad = bound.rotor_axis();
+  made.drift_rate_bound_rad_s = bound.rotor_rate();
+  made.drift_angle_bound_rad = bound.rotor_angle();
 }
 
 }  // namespace earthtop

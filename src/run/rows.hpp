@@ -49,7 +49,7 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   row.drift_spin_rad = sample.spin;
   if (parts.table) row.contact = parts.table->row(sample, bound.tip());
   if (parts.cage) parts.cage->complete(row);
-  if (sample.rotor) add_rotor_row(s, *sample.rotor, row);
+  if (sample.rotor) add_rotor_row(s, *sample.rotor, bound, row);
   return row;
 }
 

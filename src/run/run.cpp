@@ -219,7 +219,7 @@ RunResult run_to_accuracy(const Scene& scene, double left_out_rad, const RunOpti
     attempt.watch = options.watch.part(std::exchange(done, next), next);
     RunResult result = run_once(free ? resolve(scenario) : scene, attempt);
     ++accuracy.attempts;
-    accuracy.reached_rad = has_drift(result) ? result.drift.axis_bound_rad + left_out_rad : HUGE_VAL;
+    accuracy.reached_rad = has_drift(result) ? result.drift.watched_axis_bound_rad() + left_out_rad : HUGE_VAL;
     const bool may_be_finer = free && tolerance > least && accuracy.attempts < kAttempts;
     if (accuracy.reached() || !may_be_finer || result.status != RunStatus::completed) {
       result.accuracy = accuracy;

@@ -116,10 +116,11 @@ std::optional<double> noise_from_s(std::span<const JudgedLook> judged) {
   std::optional<double> from_s;
   for (const JudgedLook& look : judged) {
     if (look.t_s == 0) continue;
-    axis = std::max(axis, look.axis_rad);
+    axis = std::max(axis, look.watched_axis_rad());
     attitude = std::max(attitude, look.attitude_rad);
     // The noise of an axis that stands still does not count, as it is far below the drift of an attitude that moves.
-    const bool axis_noise = axis <= kResolved * look.axis_bound_rad && look.axis_bound_rad > kStill * attitude;
+    const double axis_bound = look.watched_axis_bound_rad();
+    const bool axis_noise = axis <= kResolved * axis_bound && axis_bound > kStill * attitude;
     const bool noise = axis_noise || (look.attitude_bound_rad > 0 && attitude <= kResolved * look.attitude_bound_rad);
     if (!noise)
       from_s.reset();

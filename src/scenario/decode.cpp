@@ -77,12 +77,13 @@ bool decode_site(const Section& root, Scenario& scenario) {
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
-  const auto body = root.require("body") ? decode_body(root.section("body")) : std::nullopt;
+  const auto body = root.require("body") ? decode_body(root.section("body"), root.has("rotor")) : std::nullopt;
   const auto release = root.require("release") ? decode_release(root.section("release"), root.has("rotor")) : std::nullopt;
   if (body) scenario.body = *body;
-  if (root.has("rotor")) scenario.rotor = decode_rotor(root);
   if (release) scenario.release = *release;
   decode_motion(root.section("motion"), scenario);
+  if (root.has("rotor")) scenario.rotor = decode_rotor(root, source, scenario.duration_s);
+  if (body && scenario.rotor) check_gyrostat(root, *body, *scenario.rotor);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);

@@ -14,7 +14,8 @@ namespace earthtop::scenario {
 using input::excerpt, input::lists, input::Node, input::Section, input::split_words;
 
 /// Decodes the body; empty if it is not physical or not complete.
-std::optional<BodySpec> decode_body(const Section& body);
+/// @param has_rotor  whether a rotor belongs to it: its own moments may then be 0
+std::optional<BodySpec> decode_body(const Section& body, bool has_rotor);
 
 /// Decodes the release; empty if it is not complete.
 std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor);
@@ -22,10 +23,13 @@ std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor
 /// Decodes duration, output step and start, and checks the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
 
-/// Decodes the rotor.
-std::optional<RotorSpec> decode_rotor(const Section& root);
-/// Decodes the platform. @param source  says whether a table may be read, and where   @param duration_s  time it must cover (s)
+/// Decode the rotor and the platform. @param source  says whether a table may be read, and where   @param duration_s  time it must
+/// cover (s)
+std::optional<RotorSpec> decode_rotor(const Section& root, const ScenarioSource& source, double duration_s);
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
+
+/// Checks that body and rotor together have moments about every axis.
+void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& rotor);
 
 /// Decodes the contact with a table, and checks that the other sections, which must have been decoded, allow one.
 /// @returns the contact; empty if it is not complete

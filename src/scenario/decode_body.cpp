@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 
-#include "earthtop/model/body.hpp"
+#include "earthtop/model/gyrostat.hpp"
 #include "scenario/decode.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
@@ -141,12 +142,12 @@ bool decode_given(const Section& body, BodySpec& spec) {
 
 }  // namespace
 
-std::optional<BodySpec> decode_body(const Section& body) {
+std::optional<BodySpec> decode_body(const Section& body, bool has_rotor) {
   BodySpec spec;
   const bool from_solids = body.has("solids");
   if (!(from_solids ? decode_solids(body, spec) : decode_given(body, spec))) return std::nullopt;
   const std::string_view source = from_solids ? "solids" : "inertia";
-  const auto violations = body_violations(spec);
+  const auto violations = body_violations(spec, has_rotor);
   for (const Diagnostic& violation : violations) {
     // Messages about the body as a whole are placed at the part from which it is computed.
     const bool at_inertia = violation.pointer.starts_with("/body/inertia") || violation.pointer.starts_with("/body/solids");
@@ -159,11 +160,26 @@ std::optional<BodySpec> decode_body(const Section& body) {
     body.refuse(source, fmt::format("the mass is {} kg in all; it must be {} kg", made.mass, input::range_text(mass_range)));
     return std::nullopt;
   }
+  if (has_rotor) return spec;  // its moments are checked together with the rotor's
   if (!made.I_BP_B_inverse.allFinite() || !made.I_BP_B.allFinite() || !(made.I_BP_B.determinant() > 0)) {
     body.refuse(source, "the moments of inertia are too small or too large for a double; give a body of everyday size");
     return std::nullopt;
   }
   return spec;
+}
+
+void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& rotor) {
+  // A free rotor turns about its own axis without the body, which then has to have a moment about it.
+  const auto both = gyrostat_body(make_body<long double>(body), rotor, rotor.drive != RotorDrive::none);
+  const Eigen::SelfAdjointEigenSolver<Mat3<long double>> moments(both.I_BP_B, Eigen::EigenvaluesOnly);
+  const long double least = moments.eigenvalues()[0], largest = moments.eigenvalues()[2];
+  if (least > 32 * static_cast<long double>(real::epsilon<double>()) * largest && both.I_BP_B_inverse.allFinite()) return;
+  root.section("body").refuse(
+      body.solids.empty() ? "inertia" : "solids",
+      fmt::format("body and rotor together are not free to turn about three axes: without the rotor's axial moment, which "
+                  "counts only if "
+                  "a drive holds the rotor, the least moment about the pivot is {:.6g} kg m^2, the largest {:.6g}",
+                  static_cast<double>(least), static_cast<double>(largest)));
 }
 
 }  // namespace earthtop::scenario

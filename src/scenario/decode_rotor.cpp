@@ -5,6 +5,7 @@
 
 #include "earthtop/real.hpp"
 #include "scenario/decode.hpp"
+#include "scenario/filed_table.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
 #include "scenario/rules.hpp"
@@ -20,8 +21,8 @@ void check_rotor_drive(const Section& rotor, const RotorSpec& spec) {
     if (lists(rule.required, key)) rotor.require(key);
     if (lists(rule.allowed, key) || !rotor.has(key)) continue;
     const auto allowed = split_words(rule.allowed);
-    rotor.refuse_key(key, fmt::format("does not belong to the drive \"{}\"; allowed with it: {}", rule.word,
-                                      allowed.empty() ? "nothing" : fmt::format("{}", fmt::join(allowed, ", "))));
+    rotor.refuse_key(
+        key, fmt::format("does not belong to the drive \"{}\"; allowed with it: {}", rule.word, fmt::join(allowed, ", ")));
   }
 }
 
@@ -46,7 +47,7 @@ void check_rotor_moments(const Section& rotor, const RotorSpec& spec) {
 
 }  // namespace
 
-std::optional<RotorSpec> decode_rotor(const Section& root) {
+std::optional<RotorSpec> decode_rotor(const Section& root, const ScenarioSource& source, double duration_s) {
   if (!root.is_object("rotor")) return std::nullopt;
   const Section rotor = root.section("rotor");
   RotorSpec spec;
@@ -54,16 +55,17 @@ std::optional<RotorSpec> decode_rotor(const Section& root) {
   rotor_keys(codec, spec);
   if (rotor.has("spin_rad_s") && rotor.has("spin_rpm"))
     rotor.refuse_key("spin_rpm", "spin_rad_s and spin_rpm are both given; give exactly one");
-  else if (!rotor.has("spin_rpm"))
+  else if (!rotor.has("spin_rpm") && spec.drive != RotorDrive::table)
     rotor.require("spin_rad_s");
   check_rotor_drive(rotor, spec);
   check_rotor_friction(rotor, spec);
   if (rotor.number("transverse_kg_m2") && rotor.number("axial_kg_m2")) check_rotor_moments(rotor, spec);
   const auto axis = rotor.vector("axis");
   // The square of a shorter axis would underflow, and its direction would be lost.
-  if (axis && real::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150)
-    rotor.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
-  if (!codec.complete()) return std::nullopt;
+  const bool has_no_direction = axis && real::hypot((*axis)[0], (*axis)[1], (*axis)[2]) < 1e-150;
+  if (has_no_direction) rotor.refuse("axis", "is the zero vector, or nearly; must have a direction, best with length 1");
+  if (spec.drive == RotorDrive::table) decode_table(rotor, source, duration_s, kTableOfRates, spec.table);
+  if (!codec.complete() || has_no_direction || (spec.drive == RotorDrive::table && !spec.table.rows)) return std::nullopt;
   return spec;
 }
 

@@ -143,8 +143,8 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("amplitude_rad", platform.amplitude_rad);
   of_motion("frequency_hz", platform.frequency_hz);
   of_motion("phase_deg", platform.phase_deg);
-  of_motion("file", platform.file);
-  of_motion("file_sha256", platform.file_sha256);  // represents the table in the run's identity
+  of_motion("file", platform.table.file);
+  of_motion("file_sha256", platform.table.file_sha256);  // represents the table in the run's identity
 }
 
 // -- rotor
@@ -157,7 +157,8 @@ void rotor_keys(Codec& codec, S& rotor) {
   codec.key("transverse_kg_m2", rotor.transverse_kg_m2);
   codec.key("axis", rotor.axis);
   codec.key("center_m", rotor.center_m);
-  spin_keys(codec, rotor);
+  const bool has_table = Codec::kWrites ? rotor.drive == RotorDrive::table : codec.takes("file", false);
+  if (!has_table) spin_keys(codec, rotor);
   codec.word("drive", rotor.drive, kDriveRules);
   codec.sparse("acceleration_rad_s2", rotor.acceleration_rad_s2);
   codec.sparse("amplitude_rad_s", rotor.amplitude_rad_s);
@@ -166,6 +167,8 @@ void rotor_keys(Codec& codec, S& rotor) {
   codec.sparse("viscous_torque_N_m_s", rotor.viscous_torque_N_m_s);
   codec.sparse("coulomb_torque_N_m", rotor.coulomb_torque_N_m);
   codec.sparse("regularisation_rad_s", rotor.regularisation_rad_s);
+  codec.sparse("file", rotor.table.file);
+  codec.sparse("file_sha256", rotor.table.file_sha256);  // represents the table in the run's identity
 }
 
 // -- contact

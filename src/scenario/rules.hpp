@@ -101,7 +101,7 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
 
-/// The keys that a rotor's drive must and may have. Its bearing's friction belongs to a rotor without a drive.
+/// The keys that a rotor's drive must and may have. A table has the rate at release, too. The bearing's friction belongs to a rotor without a drive.
 struct DriveRule {
   std::string_view word;
   RotorDrive value;
@@ -109,12 +109,15 @@ struct DriveRule {
 };
 
 inline constexpr std::string_view kDriveKeys =
-    "acceleration_rad_s2|amplitude_rad_s|frequency_hz|phase_deg|viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s";
+    "spin_rad_s|spin_rpm|file|file_sha256|acceleration_rad_s2|amplitude_rad_s|frequency_hz|phase_deg|viscous_torque_N_m_s|"
+    "coulomb_torque_N_m|regularisation_rad_s";
 inline constexpr std::array kDriveRules = {
-    DriveRule{"none", RotorDrive::none, "", "viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s"},
-    DriveRule{"constant", RotorDrive::constant, "", ""},
-    DriveRule{"ramp", RotorDrive::ramp, "acceleration_rad_s2", "acceleration_rad_s2"},
-    DriveRule{"harmonic", RotorDrive::harmonic, "amplitude_rad_s|frequency_hz", "amplitude_rad_s|frequency_hz|phase_deg"},
+    DriveRule{"none", RotorDrive::none, "", "spin_rad_s|spin_rpm|viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s"},
+    DriveRule{"constant", RotorDrive::constant, "", "spin_rad_s|spin_rpm"},
+    DriveRule{"ramp", RotorDrive::ramp, "acceleration_rad_s2", "spin_rad_s|spin_rpm|acceleration_rad_s2"},
+    DriveRule{"harmonic", RotorDrive::harmonic, "amplitude_rad_s|frequency_hz",
+              "spin_rad_s|spin_rpm|amplitude_rad_s|frequency_hz|phase_deg"},
+    DriveRule{"table", RotorDrive::table, "file", "file|file_sha256"},
 };
 
 /// The coefficients that a law of friction must and may have.

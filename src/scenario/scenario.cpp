@@ -14,6 +14,13 @@ Scenario& Scenario::operator=(Scenario&&) noexcept = default;
 Scenario::~Scenario() = default;
 bool Scenario::operator==(const Scenario&) const = default;
 
+std::vector<const FiledTable*> tables_of(const Scenario& scenario) {
+  std::vector<const FiledTable*> tables;
+  if (scenario.platform && scenario.platform->table.rows) tables.push_back(&scenario.platform->table);
+  if (scenario.rotor && scenario.rotor->table.rows) tables.push_back(&scenario.rotor->table);
+  return tables;
+}
+
 double resolved_rotation_rate_rad_s(const Scenario& scenario) {
   const double excess_s = scenario.excess_length_of_day_ms * 1e-3;
   return excess_s == 0 ? scenario.rotation_rate_rad_s : earth_rate_with_length_of_day(scenario.rotation_rate_rad_s, excess_s);

@@ -70,7 +70,7 @@ Json platform_rules() { return rules_of_words("motion", kMotionRules, kMotionKey
 
 Json rotor_rules() {
   Json rules = rules_of_words("drive", kDriveRules, kDriveKeys);
-  rules.push_back(exactly_one("spin_rad_s|spin_rpm"));
+  rules.push_back(when("drive", "table", Json::object(), exactly_one("spin_rad_s|spin_rpm")));
   rules.push_back({{"if", has("coulomb_torque_N_m", {{"exclusiveMinimum", 0}})}, {"then", required("regularisation_rad_s")}});
   return rules;
 }

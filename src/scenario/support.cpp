@@ -32,13 +32,11 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
     {.kind = SupportKind::platform,
      .pointer = "/platform",
      .carries = [](const Scenario& s) { return s.platform.has_value(); },
-     .drives = true,
      .no_exact_motion = "is not available on a platform; take \"auto\", or leave the platform out"},
     {.kind = SupportKind::gimbal,
      .pointer = "/effects/gimbal",
      .carries = [](const Scenario& s) { return s.effects.applied.gimbal.has_value(); },
-     .may_damp = true,
-     .drives = true},
+     .may_damp = true},
     {.kind = SupportKind::pivot, .pointer = "", .carries = [](const Scenario&) { return true; }, .is_fixed_pivot = true},
 }};
 
@@ -52,7 +50,7 @@ static_assert(supports_are_in_order());
 }  // namespace
 
 bool is_caged_top(const Scenario& s) {
-  if (!has_symmetric_cage(s) || s.contact || s.ledger || s.numerics.form == ModelForm::general) return false;
+  if (!has_symmetric_cage(s) || s.contact || s.numerics.form == ModelForm::general) return false;
   const AppliedTorquesSpec& applied = s.effects.applied;
   return !applied.friction() && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
 }
@@ -67,6 +65,8 @@ bool has_symmetric_cage(const Scenario& s) {
   const auto& center = s.body.center_of_mass_m;
   return center[0] == 0 && center[1] == 0 && I[0][0] == I[1][1] && I[0][1] == 0 && I[0][2] == 0 && I[1][2] == 0;
 }
+
+bool may_be_driven(const Scenario& s) { return s.platform || s.effects.applied.gimbal; }
 
 const Support& support_of(const Scenario& scenario) {
   return *std::ranges::find_if(kSupports, [&](const Support& support) { return support.carries(scenario); });

@@ -40,6 +40,7 @@ T CagedTop<T>::rotor_angle(T t) const {
   if (!rotor_.driven) return rotor_.spin * (slowing_ > T(0) ? T(-real::expm1(T(-slowing_ * t)) / slowing_) : t);
   const PrescribedMotion<T>& drive = rotor_.drive;
   T angle = t * (drive.angle0 + t * drive.rate / T(2));
+  if (drive.table) angle += drive.table->angle_integral(t);
   if (drive.frequency == T(0)) return angle + t * (drive.amplitude * real::sin(drive.phase));
   // Integral of sin(a t + p): (cos p - cos(a t + p)) / a = 2 sin(a t/2 + p) sin(a t/2) / a
   const T a = T(2) * real::pi<T>() * drive.frequency, half = a * t / T(2);

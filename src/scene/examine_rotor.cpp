@@ -18,18 +18,11 @@ void RotorLaws::check(const input::Section& root, const Scene& scene) const {
   };
   refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
   refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel");
-  refuse("gravity_gradient", effects.applied.gravity_gradient.has_value(), "its torque on a gyrostat is not modelled");
   refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, "dry friction at the pivot of a gyrostat is not modelled");
   constexpr const char* kWhole = "the torques of a rotor's own motion belong to all three";
   refuse("coriolis", !effects.coriolis, kWhole);
   refuse("centrifugal", !effects.centrifugal, kWhole);
   refuse("transverse", !effects.transverse, kWhole);
-  if (scenario.platform)
-    root.refuse_key("platform",
-                    "is not available with /rotor: a gyrostat on a platform is not modelled; leave one of the two out");
-  if (scenario.ledger)
-    root.section("numerics")
-        .refuse_key("ledger", "is not available with /rotor: the torques of a gyrostat are not listed; leave it out");
 }
 
 void RotorLaws::fit_units(const Scene& scene, NaturalUnits& units) const {

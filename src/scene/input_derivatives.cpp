@@ -25,7 +25,8 @@ struct Numbers {
 Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128& change) {
   const InputKind kind = kInputs[input].kind;
   change = float128(step);
-  if (kind == InputKind::inertia_ratio || kind == InputKind::center_of_mass) {
+  const bool is_body = kind == InputKind::inertia_ratio || kind == InputKind::center_of_mass;
+  if (is_body && !scene.scenario().rotor) {
     Body<float128> body = scene.body<float128>();
     move_body(body, kind, change);
     const ReleaseSpec& release = scene.scenario().release;

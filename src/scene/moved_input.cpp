@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/release.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -30,19 +32,20 @@ double add(double& number, double step) {
   return number - before;
 }
 
-/// Writes a body as a specification by mass, centre of mass and moments about the pivot.
-BodySpec specification(const Body<double>& body) {
+}  // namespace
+
+void set_body(Scenario& scenario, const Scene& scene, const Body<double>& body) {
+  const bool has_axial = has_axial_moment(scene);
+  const Body<double> given = scenario.rotor ? without_rotor(body, *scenario.rotor, has_axial) : body;
   BodySpec spec;
-  spec.mass_kg = body.mass;
+  spec.mass_kg = given.mass;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    spec.center_of_mass_m[at] = body.p_PBcm_B[i];
-    for (int j = 0; j < 3; ++j) spec.inertia_kg_m2[at][static_cast<std::size_t>(j)] = body.I_BP_B(i, j);
+    spec.center_of_mass_m[at] = given.p_PBcm_B[i];
+    for (int j = 0; j < 3; ++j) spec.inertia_kg_m2[at][static_cast<std::size_t>(j)] = given.I_BP_B(i, j);
   }
-  return spec;
+  scenario.body = spec;
 }
-
-}  // namespace
 
 double value_of_input(const Scene& scene, std::size_t input) {
   const InputRow& row = kInputs[input];
@@ -99,7 +102,7 @@ MovedScenario with_moved_input(const Scene& scene, std::size_t input, double ste
       const double I3 = body.I_BP_B(2, 2);
       move_body(body, row.kind, step);
       if (row.kind == InputKind::inertia_ratio) moved.change = (body.I_BP_B(2, 2) - I3) / body.I_BP_B(0, 0);
-      scenario.body = specification(body);
+      set_body(scenario, scene, body);
       break;
     }
   }

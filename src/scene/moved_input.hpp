@@ -30,6 +30,10 @@ void move_body(Body<T>& body, InputKind kind, T step) {
   body.S_BP_B = body.I_BP_B.trace() / T(2) * Mat3<T>::Identity() - body.I_BP_B;
 }
 
+/// Gives a scenario another body, by mass, centre of mass and moments about the pivot.
+/// @param body  as Scene::body has it: with the rotor, which the scenario's body does not contain
+void set_body(Scenario& scenario, const Scene& scene, const Body<double>& body);
+
 /// A scenario with one input changed, and by how much it was changed, in the input's unit, after rounding.
 struct MovedScenario {
   Scenario scenario;

@@ -227,8 +227,8 @@ PlatformDemand demand_of(const Scene& scene) {
   double rate =
       std::abs(given->rate_rad_s) + std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s + amplitude * omega;
   double alpha = std::abs(given->acceleration_rad_s2) + amplitude * omega * omega;
-  if (given->table) {
-    const AngleSpline<double> turn(*given->table);
+  if (given->table.rows) {
+    const AngleSpline<double> turn(*given->table.rows);
     rate = turn.largest_rate();
     alpha = turn.largest_acceleration();
     if (rate > 0) omega = alpha / rate;  // exact for a harmonic turn
@@ -238,13 +238,20 @@ PlatformDemand demand_of(const Scene& scene) {
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
+bool has_axial_moment(const Scene& scene) {
+  const auto& rotor = scene.scenario().rotor;
+  return rotor && (!scene.support().has_rotor || rotor->drive != RotorDrive::none);
+}
+
 Vec3<double> rotor_momentum(const Scene& scene) {
   const auto& given = scene.scenario().rotor;
   if (!scene.support().has_rotor) return Vec3<double>::Zero();
   const Rotor<double> rotor = make_rotor<double>(*given);
-  const double driven = std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s + std::abs(given->amplitude_rad_s);
   const double carried = rotor.driven ? 0 : rotor.axis_B.dot(scene.release<double>().w_XB_B);
-  const double rate = std::abs(given->spin_rad_s + carried) + driven;
+  double rate = std::abs(rotor.spin + carried) + std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s +
+                std::abs(given->amplitude_rad_s);
+  if (const auto& table = given->table.rows)
+    for (const double value : table->value) rate = std::max(rate, std::abs(value));
   return rotor.axial * rate * rotor.axis_B;
 }
 
@@ -271,7 +278,7 @@ Paced PivotLaws::paced(const Scene& scene) const {
   pace.rows = scene.rows();
   pace.judgement_looks = kJudgementLooks;
   pace.axis_rate_rad_s = scene.fastest_rate_rad_s();
-  if (scenario.platform && scenario.platform->table) pace.joints = static_cast<double>(scenario.platform->table->t_s.size());
+  for (const FiledTable* table : tables_of(scenario)) pace.joints += static_cast<double>(table->rows->t_s.size());
   pace.turning_rad = std::max(1.0, friction.turned_rad() + swinging * friction.swung_s() + carried * time);
   pace.undamped_rest_rad = swinging * (time - friction.swung_s());
   // The limit keeps a scene from being refused only because of the sampling that rounding causes.

@@ -49,6 +49,8 @@ inline constexpr double kWindowsATurn = 12, kFewestWindows = 300;
 /// after which more tell nothing new.
 inline constexpr double kTrendLooksATurn = 7.3, kFewestTrendLooks = 560, kTrendTurns = 400;
 
+/// Whether the inertia of a scene's body has the rotor's axial moment: not where the rotor is a free one that is followed by itself.
+bool has_axial_moment(const Scene& scene);
 /// The momentum of a rotor in body axes, as large as its drive makes it (kg m^2/s); 0 without one.
 Vec3<double> rotor_momentum(const Scene& scene);
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.

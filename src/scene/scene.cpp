@@ -105,7 +105,7 @@ const Body<T>& Scene::body() const {
     const Body<T> body = make_body<T>(scenario().body);
     const auto& rotor = scenario().rotor;
     if (!rotor) return body;
-    return gyrostat_body(body, *rotor, !support().has_rotor || rotor->drive != RotorDrive::none);
+    return gyrostat_body(body, *rotor, has_axial_moment(*this));
   });
 }
 template <class T>
@@ -168,7 +168,7 @@ const Pace& Scene::pace_by_rule() const {
   return parts_->paced.get([this] { return laws_of(*this).paced(*this); }).pace;
 }
 const Pace& Scene::pace() const {
-  return support().drives ? parts_->pace.get([this] { return pace_as_seen(*this); }) : pace_by_rule();
+  return may_be_driven(scenario()) ? parts_->pace.get([this] { return pace_as_seen(*this); }) : pace_by_rule();
 }
 const StiffFriction& Scene::stiffest_friction() const {
   return parts_->paced.get([this] { return laws_of(*this).paced(*this); }).stiffest;

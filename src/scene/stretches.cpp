@@ -277,7 +277,7 @@ Pace pace_as_seen(const Scene& scene) {
 
 bool is_too_short_to_look(const Scene& scene) {
   constexpr double kFewEvaluations = 1e4;  // the limit of a run's work is never below a hundred times as many
-  if (!scene.support().drives || scene.scenario().precision != Precision::bits53) return false;
+  if (!may_be_driven(scene.scenario()) || scene.scenario().precision != Precision::bits53) return false;
   const IntegrationOptions& options = scene.choice().options;
   if (options.step_s || is_exact(options.method)) return false;
   const bool reduced = scene.form(options) == ModelForm::reduced;

@@ -45,8 +45,8 @@ TEST(AngleSpline, IsTheCubicPolynomialThatItsAnglesLieOn) {
     table.t_s = uneven_times(random, n);
     double largest = 0;
     for (const double t : table.t_s) {
-      table.angle_rad.push_back(cubic.angle(t));
-      largest = std::max(largest, std::abs(table.angle_rad.back()));
+      table.value.push_back(cubic.angle(t));
+      largest = std::max(largest, std::abs(table.value.back()));
     }
     test::for_each_scalar([&]<class T>(T) {
       const AngleSpline<T> spline(table);
@@ -72,7 +72,7 @@ TEST(AngleSpline, IsPiecewiseCubicWithTheRightJoints) {
   for (const int n : {4, 5, 6, 30}) {
     AngleTable table;
     table.t_s = uneven_times(random, n);
-    for (int i = 0; i < n; ++i) table.angle_rad.push_back(random.uniform(-1, 1));
+    for (int i = 0; i < n; ++i) table.value.push_back(random.uniform(-1, 1));
     const AngleSpline<Q> spline(table);
     const Q near = Q(1e-15);  // nothing here is larger than 1e8
     // The third derivative in the piece that begins at knot i, from its linear acceleration.
@@ -88,7 +88,7 @@ TEST(AngleSpline, IsPiecewiseCubicWithTheRightJoints) {
     bool breaks = n == 4;
     for (int i = 0; i < n; ++i) {
       const Q t = table.t_s[static_cast<std::size_t>(i)];
-      ASSERT_TRUE(close(spline.angle(t), Q(table.angle_rad[static_cast<std::size_t>(i)]), Q(1e-30)));
+      ASSERT_TRUE(close(spline.angle(t), Q(table.value[static_cast<std::size_t>(i)]), Q(1e-30)));
       for (const Q side : {-near, near}) {
         ASSERT_TRUE(close(spline.angle(t + side), spline.angle(t), Q(1e-7)));
         ASSERT_TRUE(close(spline.angle_rate(t + side), spline.angle_rate(t), Q(1e-7)));
@@ -116,7 +116,7 @@ TEST(AngleSpline, SampledSineConvergesWithTheFourthThirdAndSecondPower) {
     AngleTable table;
     for (int i = 0; i <= intervals; ++i) {
       table.t_s.push_back(4.0 * i / intervals);
-      table.angle_rad.push_back(std::sin(table.t_s.back()));
+      table.value.push_back(std::sin(table.t_s.back()));
     }
     const AngleSpline<double> spline(table);
     std::array<double, 3> error = {};
@@ -138,7 +138,7 @@ TEST(AngleSpline, KnowsItsLargestRateAndAcceleration) {
   Random random(73);
   AngleTable table;
   table.t_s = uneven_times(random, 20);
-  for (std::size_t i = 0; i < 20; ++i) table.angle_rad.push_back(random.uniform(-1, 1));
+  for (std::size_t i = 0; i < 20; ++i) table.value.push_back(random.uniform(-1, 1));
   const AngleSpline<double> spline(table);
   double rate = 0, acceleration = 0;
   constexpr int kPoints = 200'000;
@@ -158,7 +158,7 @@ TEST(AngleSpline, OtherUnitsOfTimeChangeNoDigit) {
   Random random(74);
   AngleTable table;
   table.t_s = uneven_times(random, 10);
-  for (std::size_t i = 0; i < 10; ++i) table.angle_rad.push_back(random.uniform(-1, 1));
+  for (std::size_t i = 0; i < 10; ++i) table.value.push_back(random.uniform(-1, 1));
   test::for_each_scalar([&]<class T>(T) {
     const AngleSpline<T> spline(table);
     for (const int k : {-13, 0, 7}) {

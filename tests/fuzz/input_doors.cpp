@@ -94,7 +94,7 @@ void enter_angle_table(std::string_view input) {
   const AngleSpline<double> spline(table);
   demand(std::abs(spline.angle_acceleration(0.5)) <= 1e9 * (1 + 1e-9), "an acceleration is bounded", input);
   std::string text = "t_s,angle_rad\n";
-  for (std::size_t i = 0; i < table.t_s.size(); ++i) text += fmt::format("{},{}\n", table.t_s[i], table.angle_rad[i]);
+  for (std::size_t i = 0; i < table.t_s.size(); ++i) text += fmt::format("{},{}\n", table.t_s[i], table.value[i]);
   check_csv(text);
   const auto again = scenario::parse_angle_table(text, 1);
   demand(std::holds_alternative<AngleTable>(again) && std::get<AngleTable>(again) == table, "a table reads back", text);
@@ -225,7 +225,7 @@ void enter_measurement(std::string_view input) {
   double latest_s = 0;
   for (const MeasuredValue& value : read.values) {
     demand(value.t_s >= latest_s && value.t_s <= 1e9, "times ascend", input);
-    demand(std::isfinite(value.angle_rad) && value.standard_error_rad > 0 && std::isfinite(value.standard_error_rad),
+    demand(std::isfinite(value.value) && value.standard_error > 0 && std::isfinite(value.standard_error),
            "a value is finite and has an error", input);
     latest_s = value.t_s;
     const bool is_axis = value.quantity == MeasuredQuantity::axis;
@@ -235,15 +235,14 @@ void enter_measurement(std::string_view input) {
                                             MeasuredQuantity::drift_tilt};
     text += fmt::format("{}", value.t_s);
     for (const MeasuredQuantity angle : kAngles)
-      text += value.quantity == angle ? fmt::format(",{},{}", value.angle_rad, value.standard_error_rad) : ",,";
-    text += is_axis ? fmt::format(",{},{},{},{}\n", n[0], n[1], n[2], value.standard_error_rad) : ",,,,\n";
+      text += value.quantity == angle ? fmt::format(",{},{}", value.value, value.standard_error) : ",,";
+    text += is_axis ? fmt::format(",{},{},{},{}\n", n[0], n[1], n[2], value.standard_error) : ",,,,\n";
   }
   check_csv(text);
   Measurement again;
   demand(accepts([&] { again = parse_measurement("again.csv", text); }), "a measurement written anew is accepted", text);
   const auto same = [](const MeasuredValue& a, const MeasuredValue& b) {
-    bool near = a.quantity == b.quantity && a.t_s == b.t_s && a.angle_rad == b.angle_rad &&
-                a.standard_error_rad == b.standard_error_rad;
+    bool near = a.quantity == b.quantity && a.t_s == b.t_s && a.value == b.value && a.standard_error == b.standard_error;
     for (std::size_t i = 0; i < 3; ++i) near = near && std::abs(a.axis_L[i] - b.axis_L[i]) <= 4e-16;  // normalised again
     return near;
   };

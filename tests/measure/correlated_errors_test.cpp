@@ -76,7 +76,7 @@ TEST(CorrelatedErrors, WholeTurnsChangeNothing) {
   whitening.whiten(white);
   for (std::size_t i = residuals.size() / 2; i < residuals.size(); ++i)
     if (residuals[i].quantity == "azimuth")
-      turned[static_cast<Eigen::Index>(i)] += (i % 2 == 0 ? 2 : -4) * kPi / residuals[i].standard_error_rad;
+      turned[static_cast<Eigen::Index>(i)] += (i % 2 == 0 ? 2 : -4) * kPi / residuals[i].standard_error;
   whitening.whiten(turned);
   // A turn is 6e4 standard errors, and 1 / sqrt(1 - rho^2) at most 3.
   EXPECT_LT((white - turned).cwiseAbs().maxCoeff(), 1e5 * 3 * 4 * 2.3e-16);
@@ -138,7 +138,7 @@ Scores scores_of_fits(bool tau_is_stated) {
     scores.pulls.push_back((fit.parameters[0] - kVertical45) / std::sqrt(fit.covariance(0, 0)));
     std::vector<double> residuals;
     problem.residuals_at(fit.parameters, residuals);
-    for (std::size_t k = 0; k < times.size(); ++k) rows[k].residual_rad = residuals[k];
+    for (std::size_t k = 0; k < times.size(); ++k) rows[k].residual = residuals[k];
     Eigen::VectorXd values = normalised(rows);
     problem.whitening.whiten(values);
     scores.chances.push_back(chance_of(values.squaredNorm(), kCorrelatedRows - 2));

@@ -61,7 +61,7 @@ class FittedScenario : public MeasurementTest {
     EXPECT_EQ(again.as_given.value, fit.fitted->value) << text;
     ASSERT_EQ(again.residuals.size(), fit.residuals.size());
     for (std::size_t i = 0; i < fit.residuals.size(); ++i)
-      EXPECT_EQ(again.residuals[i].residual_rad, fit.residuals[i].residual_rad) << i;
+      EXPECT_EQ(again.residuals[i].residual, fit.residuals[i].residual) << i;
     EXPECT_NE(again.as_given.value, fit.as_given.value);
     EXPECT_NE(text.find("\"_note\": \"kept as it is: 1.50, {\""), text.npos) << text;
     EXPECT_EQ(again.scenario_name, "fitted");

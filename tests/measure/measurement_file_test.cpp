@@ -71,7 +71,7 @@ TEST_F(MeasurementTest, ReadsTabsAndAByteOrderMark) {
   EXPECT_EQ(m.rows, 2u);
   ASSERT_EQ(m.values.size(), 1u);
   EXPECT_EQ(m.values[0].t_s, 0.5);
-  EXPECT_NEAR(m.values[0].angle_rad, 20.25 * kDegree, 1e-15);
+  EXPECT_NEAR(m.values[0].value, 20.25 * kDegree, 1e-15);
 }
 
 TEST_F(MeasurementTest, ReadsWhatIsThere) {
@@ -79,8 +79,8 @@ TEST_F(MeasurementTest, ReadsWhatIsThere) {
   EXPECT_EQ(m.rows, 3u);
   ASSERT_EQ(m.values.size(), 2u);
   EXPECT_EQ(m.values[0].line, 3u);
-  EXPECT_NEAR(m.values[0].angle_rad, kDegree, 4e-18);  // an ulp
-  EXPECT_NEAR(m.values[0].standard_error_rad, kDegree / 2, 4e-18);
+  EXPECT_NEAR(m.values[0].value, kDegree, 4e-18);  // an ulp
+  EXPECT_NEAR(m.values[0].standard_error, kDegree / 2, 4e-18);
   EXPECT_EQ(m.values[1].t_s, 2);
   EXPECT_EQ(m.values[1].quantity, MeasuredQuantity::tilt);
 }

@@ -38,7 +38,7 @@ TEST_F(MeasurementTest, AFreeGyroscopesClosedFormHasNoResiduals) {
   EXPECT_EQ(report.reached_s, 600);
   EXPECT_EQ(report.residuals.size(), 30u);
   for (const MeasurementResidual& residual : report.residuals)
-    EXPECT_NEAR(residual.residual_rad, 0, kComputed) << residual.quantity << " at " << residual.t_s;
+    EXPECT_NEAR(residual.residual, 0, kComputed) << residual.quantity << " at " << residual.t_s;
   EXPECT_EQ(report.as_given.degrees_of_freedom, 30);
   EXPECT_EQ(report.fit, FitOutcome::not_asked);
   EXPECT_TRUE(report.agrees());
@@ -53,8 +53,8 @@ TEST_F(MeasurementTest, ATextGivesTheValuesOfAFile) {
   ASSERT_EQ(text.values.size(), file.values.size());
   for (std::size_t i = 0; i < text.values.size(); ++i) {
     EXPECT_EQ(text.values[i].t_s, file.values[i].t_s);
-    EXPECT_EQ(text.values[i].angle_rad, file.values[i].angle_rad);
-    EXPECT_EQ(text.values[i].standard_error_rad, file.values[i].standard_error_rad);
+    EXPECT_EQ(text.values[i].value, file.values[i].value);
+    EXPECT_EQ(text.values[i].standard_error, file.values[i].standard_error);
     EXPECT_EQ(text.values[i].line, file.values[i].line);
   }
 }
@@ -87,7 +87,7 @@ TEST_F(MeasurementTest, ResidualsAreMeasuredLessPredictedAndAnAxisHasTwo) {
       {"azimuth", d}, {"axis_tilt", -2 * d}, {"axis_azimuth", d * std::sin(z)}, {"drift_tilt", -2 * d}};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(report.residuals[i].quantity, expected[i].first);
-    EXPECT_NEAR(report.residuals[i].residual_rad, expected[i].second, kComputed);  // and d^2
+    EXPECT_NEAR(report.residuals[i].residual, expected[i].second, kComputed);  // and d^2
   }
   // The sum 9 + 36 + 9 + 36; each term is good to twice its root times kComputed / e.
   EXPECT_NEAR(report.as_given.value, 90, 36 * kComputed / e);
@@ -167,8 +167,8 @@ TEST_F(MeasurementTest, AVerticalAxisHasNoAzimuth) {
   const auto report = compare_with_measurement(shipped("free-gyro"), {{"/release/tilt_deg", "0"}},
                                                read("t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n0,1e-5,0,1,1e-5\n"), {});
   ASSERT_EQ(report.residuals.size(), 2u);
-  EXPECT_NEAR(report.residuals[0].residual_rad, 1e-5, kComputed);  // towards East its tilt grows
-  EXPECT_NEAR(report.residuals[1].residual_rad, 0, kComputed);
+  EXPECT_NEAR(report.residuals[0].residual, 1e-5, kComputed);  // towards East its tilt grows
+  EXPECT_NEAR(report.residuals[1].residual, 0, kComputed);
   EXPECT_TRUE(testing::parse_json(measurement_json(report)).at("residuals").at(1).at("predicted_rad").is_null());
 }
 
@@ -201,14 +201,14 @@ TEST_F(MeasurementTest, MotionsAreThoseOfARun) {
       }
       // The same motion, rounded when it is written and read.
       for (const MeasurementResidual& residual : compare_with_measurement(source, set, read(csv), {}).residuals)
-        EXPECT_NEAR(residual.residual_rad, 0, testing::rounding(500))
+        EXPECT_NEAR(residual.residual, 0, testing::rounding(500))
             << scene.name << " " << residual.quantity << " at " << residual.t_s;
       // Whatever tolerance the scenario asks of a run.
       if (!scene.set.empty()) continue;
       Overrides loose = set;
       loose.emplace_back("/numerics/relative_tolerance", "1e-3");
       for (const MeasurementResidual& residual : compare_with_measurement(source, loose, read(csv), {}).residuals)
-        EXPECT_NEAR(residual.residual_rad, 0, testing::rounding(500))
+        EXPECT_NEAR(residual.residual, 0, testing::rounding(500))
             << scene.name << " " << residual.quantity << " at " << residual.t_s;
     }
   }

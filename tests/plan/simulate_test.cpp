@@ -100,8 +100,8 @@ TEST(PlanData, CorrelatedErrorsHaveTheirTime) {
 TEST(PlanData, AzimuthsAreWithinATurnAndTiltsAtMostHalfATurn) {
   const Overrides set = {{"/release/azimuth_deg", "0"}, {"/release/tilt_deg", "179.999"}};
   for (const MeasurementResidual& residual : residuals_of(plan_for({{"azimuth_deg", 1}, {"tilt_deg", 0.1}}, 1, 100), 1, set)) {
-    EXPECT_GE(residual.measured_rad, 0);
-    EXPECT_LE(residual.measured_rad, residual.quantity == "azimuth" ? 6.2832 : 3.1416);
+    EXPECT_GE(residual.measured, 0);
+    EXPECT_LE(residual.measured, residual.quantity == "azimuth" ? 6.2832 : 3.1416);
   }
 }
 

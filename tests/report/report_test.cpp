@@ -269,7 +269,7 @@ TEST(Report, AzimuthsThatCannotBeCountedOnStayInATurn) {
   MeasurementReport report = made_up_measurement();
   report.curve.clear();
   for (MeasurementResidual& residual : report.residuals)
-    if (residual.quantity == "azimuth") residual.predicted_rad = std::remainder(3.0 * residual.t_s, 2 * 3.141592653589793);
+    if (residual.quantity == "azimuth") residual.predicted = std::remainder(3.0 * residual.t_s, 2 * 3.141592653589793);
   const Figure figure = measurement_figure(report);
   for (const double y : figure.panels.at(0).lines.at(0).y)
     if (std::isfinite(y)) {

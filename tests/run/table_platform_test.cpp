@@ -16,13 +16,13 @@ PlatformSpec sampled(PlatformSpec formula, double until_s, int intervals, const 
   AngleTable table;
   for (int i = 0; i <= intervals; ++i) {
     table.t_s.push_back(until_s * i / intervals);
-    table.angle_rad.push_back(angle(table.t_s.back()));
+    table.value.push_back(angle(table.t_s.back()));
   }
   PlatformSpec spec;
   spec.motion = PlatformMotion::table;
   spec.axis = formula.axis;
   spec.pivot_offset_m = formula.pivot_offset_m;
-  spec.table = std::make_shared<const AngleTable>(std::move(table));
+  spec.table.rows = std::make_shared<const AngleTable>(std::move(table));
   return spec;
 }
 

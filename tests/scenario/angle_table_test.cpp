@@ -16,6 +16,7 @@
 namespace earthtop::scenario_test {
 namespace {
 
+using scenario::kTableOfRates;
 using scenario::parse_angle_table;
 using scenario::TableFault;
 
@@ -28,7 +29,7 @@ TEST(AngleTableText, IsReadWithEitherLineEnd) {
     const auto parsed = parse_angle_table(text, 60);
     ASSERT_TRUE(std::holds_alternative<AngleTable>(parsed)) << std::get<TableFault>(parsed).message;
     EXPECT_EQ(std::get<AngleTable>(parsed).t_s, (std::vector<double>{0, 10, 30, 60}));
-    EXPECT_EQ(std::get<AngleTable>(parsed).angle_rad, (std::vector<double>{0, 0.5, -0.25, 1e-3}));
+    EXPECT_EQ(std::get<AngleTable>(parsed).value, (std::vector<double>{0, 0.5, -0.25, 1e-3}));
   }
   EXPECT_TRUE(std::holds_alternative<AngleTable>(parse_angle_table("t_s,angle_rad\n-1,0\n0,1\n1,0\n61,0\n", 60)));
 }
@@ -75,6 +76,17 @@ TEST(AngleTableText, ItsFirstFaultIsNamedWithItsLine) {
   }
 }
 
+TEST(RateTable, HasItsOwnHeaderAndLimits) {
+  const std::string text = "t_s,rate_rad_s\n0,300\n10,310\n30,1e9\n60,280\n";
+  EXPECT_TRUE(std::holds_alternative<AngleTable>(parse_angle_table(text, 60, kTableOfRates)));
+  EXPECT_TRUE(std::holds_alternative<TableFault>(parse_angle_table(kRows, 60, kTableOfRates)));
+  const auto parsed = parse_angle_table(replaced(text, "1e9", "2e9"), 60, kTableOfRates);
+  ASSERT_TRUE(std::holds_alternative<TableFault>(parsed));
+  const std::string message = std::get<TableFault>(parsed).message;
+  EXPECT_NE(message.find("reaches 2e+09 rad/s"), std::string::npos) << message;
+  EXPECT_NE(message.find("the rates in rad/s"), std::string::npos) << message;
+}
+
 class TableFile : public ::testing::Test {
  protected:
   TableFile() { write("turn.csv", kRows); }
@@ -101,10 +113,10 @@ TEST_F(TableFile, IsLookedForBesideTheScenario) {
   ASSERT_TRUE(report.scenario) << report.errors[0].message;
   const PlatformSpec& platform = *report.scenario->platform;
   EXPECT_EQ(platform.motion, PlatformMotion::table);
-  EXPECT_EQ(platform.file, "turn.csv");
-  EXPECT_EQ(platform.file_sha256, sha256_hex(kRows));
-  ASSERT_TRUE(platform.table);
-  EXPECT_EQ(platform.table->t_s, (std::vector<double>{0, 10, 30, 60}));
+  EXPECT_EQ(platform.table.file, "turn.csv");
+  EXPECT_EQ(platform.table.file_sha256, sha256_hex(kRows));
+  ASSERT_TRUE(platform.table.rows);
+  EXPECT_EQ(platform.table.rows->t_s, (std::vector<double>{0, 10, 30, 60}));
   EXPECT_EQ(make_platform<double>(platform).turn.table->angle(30), -0.25);
   EXPECT_TRUE(examine((temporary_.path() / "turn.csv").string()).scenario);  // an absolute path stands for itself
 }

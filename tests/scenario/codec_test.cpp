@@ -29,6 +29,11 @@ struct Setting {
 
 const std::string kStart = "2026-11-22T12:00:00Z";
 constexpr const char* kHarmonic = R"({"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1})";
+constexpr const char* kTurnsAsMeasured =
+    R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "drive": "table", "file": "one_rates.csv"})";
+constexpr const char* kRubbingRotor =
+    R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "spin_rad_s": 1, "viscous_torque_N_m_s": 1, "coulomb_torque_N_m": 1,
+    "regularisation_rad_s": 1})";
 constexpr const char* kRolls = R"({"tip_radius_m": 0.002, "law": "frictionless", "spinning_friction_m": 1e-5,
     "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1})";
 
@@ -107,6 +112,8 @@ const std::map<std::string, Setting>& settings() {
        {{{"/rotor",
           R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "spin_rad_s": 1, "coulomb_torque_N_m": 1, "regularisation_rad_s": 1})"}},
         "0.5"}},
+      {"/rotor/file", {{{"/rotor", kTurnsAsMeasured}}, "\"other_rates.csv\""}},
+      {"/rotor/file_sha256", {{{"/rotor", kTurnsAsMeasured}}, "SHA256 OF ONE", {}, true}},
       {"/platform", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}}},
       {"/platform/motion",
        {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}},
@@ -197,6 +204,11 @@ const std::map<std::string, Setting>& settings() {
       {"/uncertainty/patch_radius_m",
        {{{"/contact", R"({"tip_radius_m": 0.002, "law": "contensou", "friction_coefficient": 0.2, "patch_radius_m": 1e-4})"}}}},
       {"/uncertainty/spinning_friction_m", {{{"/contact", kRolls}}}},
+      {"/uncertainty/rotor_spin_rad_s", {{{"/rotor", kRubbingRotor}}}},
+      {"/uncertainty/rotor_axial_kg_m2", {{{"/rotor", kRubbingRotor}}}},
+      {"/uncertainty/rotor_transverse_kg_m2", {{{"/rotor", kRubbingRotor}}}},
+      {"/uncertainty/rotor_viscous_torque_N_m_s", {{{"/rotor", kRubbingRotor}}}},
+      {"/uncertainty/rotor_coulomb_torque_N_m", {{{"/rotor", kRubbingRotor}}}},
       {"/uncertainty/rolling_resistance_m", {{{"/contact", kRolls}}}},
   };
   return *all;
@@ -234,8 +246,10 @@ std::string made_up(const Field& field) {
 class Codec : public ::testing::Test {
  protected:
   Codec() {
-    for (const auto& [file, last] : {std::pair("one.csv", "0.3"), std::pair("other.csv", "0.4")})
-      std::ofstream(temporary_.path() / file) << "t_s,angle_rad\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
+    for (const auto& [prefix, last] : {std::pair("one", "0.3"), std::pair("other", "0.4")})
+      for (const auto& [name, header] : {std::pair(".csv", "t_s,angle_rad"), std::pair("_rates.csv", "t_s,rate_rad_s")})
+        std::ofstream(temporary_.path() / (std::string(prefix) + name))
+            << header << "\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
   }
   Scenario decoded(const std::string& text, const Overrides& overrides = {}) const {
     return parse_scenario({(temporary_.path() / "minimal.json").string(), text}, overrides);
@@ -260,7 +274,7 @@ TEST_F(Codec, EveryKeyOfTheTableComesBackAndDecidesTheIdentity) {
     std::string pointer(field.pointer);
     if (const auto star = pointer.find('*'); star != std::string::npos) pointer[star] = '0';
     std::string value = setting.value.empty() ? made_up(field) : setting.value;
-    if (value == "SHA256 OF ONE") value = fmt::format("\"{}\"", base.platform->file_sha256);
+    if (value == "SHA256 OF ONE") value = fmt::format("\"{}\"", tables_of(base).front()->file_sha256);
     if (setting.instead.empty())
       overrides.emplace_back(pointer, value);
     else

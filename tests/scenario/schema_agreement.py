@@ -28,6 +28,7 @@ SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release":
 
 
 ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
+RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
 ROTOR = {"mass_kg": 0.05, "axial_kg_m2": 1.6e-5, "transverse_kg_m2": 8.5e-6}
@@ -107,10 +108,15 @@ WHOLE = [
     scene(numerics={"method": "dop853"}),
     scene(platform={"motion": "ramp", "rate_rad_s": 1, "acceleration_rad_s2": 0.1}),
     scene(rotor={**ROTOR, "spin_rad_s": 300, "axis": [0, 0.1, 1], "center_m": [0, 0, 0.03], "drive": "none",
-                 "viscous_torque_N_m_s": 1e-7, "coulomb_torque_N_m": 1e-6, "regularisation_rad_s": 1}),
+                 "viscous_torque_N_m_s": 1e-7, "coulomb_torque_N_m": 1e-6, "regularisation_rad_s": 1},
+          uncertainty={"rotor_viscous_torque_N_m_s": 1e-8, "rotor_coulomb_torque_N_m": 1e-7}),
     scene(rotor={**ROTOR, "spin_rpm": 3000, "drive": "ramp", "acceleration_rad_s2": 1}),
     scene(rotor={**ROTOR, "spin_rad_s": 300, "drive": "harmonic", "amplitude_rad_s": 1, "frequency_hz": 2, "phase_deg": 30}),
     scene(rotor={**ROTOR, "spin_rad_s": 300}, release={"tilt_deg": 20}),
+    scene(rotor={**ROTOR, "spin_rad_s": 300, "axis": [0, 0.1, 1]}, numerics={"ledger": "body"}, effects={"gravity_gradient": True},
+          platform={"motion": "constant", "rate_rad_s": 1, "pivot_offset_m": [0.1, 0, 0]},
+          uncertainty={"rotor_spin_rad_s": 1, "rotor_axial_kg_m2": 1e-7, "rotor_transverse_kg_m2": 1e-7}),
+    scene(rotor={**ROTOR, "drive": "table", "file": "rates.csv", "file_sha256": hashlib.sha256(RATES).hexdigest()}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
     scene(effects={"gravity_gradient": True, "viscous_torque_N_m_s": 1e-7, "quadratic_torque_N_m_s2": 1e-9, "tide": False,
                    "air_drag": {"disc_radius_m": 0.05, "density_kg_m3": 1.2, "kinematic_viscosity_m2_s": 1.5e-5,
@@ -175,6 +181,7 @@ BEYOND_THE_SCHEMA = [
     ({"effects": "auto"}, "error asked for"),
     ({"motion": {"duration_s": 1, "start_utc": "2026-02-30T00:00:00Z"}}, "an instant of UTC"),
     ({"platform": {"motion": "table", "file": "none.csv"}}, "there is no such file"),
+    ({"rotor": {**ROTOR, "drive": "table", "file": "angles.csv"}}, "must be the header"),
     ({"platform": {"motion": "table", "file": "."}}, "is a directory"),
     ({"platform": {"motion": "table", "file": ""}}, "names no file"),
     ({"platform": {"motion": "table", "file": "angles.csv", "file_sha256": ""}}, "is not that of"),
@@ -285,6 +292,7 @@ def check(earthtop, texts):
     with tempfile.TemporaryDirectory() as directory:
         files = []
         pathlib.Path(directory, "angles.csv").write_bytes(ANGLES)
+        pathlib.Path(directory, "rates.csv").write_bytes(RATES)
         for index, text in enumerate(texts):
             path = pathlib.Path(directory, f"s{index}.json")
             path.write_text(text, encoding="utf-8")

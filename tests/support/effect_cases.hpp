@@ -32,9 +32,9 @@ inline Scenario fast_earth_top() {
 /// A platform whose angle is a table of a slow swing.
 inline PlatformSpec swinging_table() {
   AngleTable table;
-  for (int i = 0; i <= 10; ++i) table.t_s.push_back(0.3 * i), table.angle_rad.push_back(0.2 * std::sin(0.9 * i));
+  for (int i = 0; i <= 10; ++i) table.t_s.push_back(0.3 * i), table.value.push_back(0.2 * std::sin(0.9 * i));
   PlatformSpec platform{PlatformMotion::table, {0.1, 0.2, 1}, 0, 0, 0, 0, 0, {0.1, 0.02, 0.05}};
-  platform.table = std::make_shared<const AngleTable>(std::move(table));
+  platform.table.rows = std::make_shared<const AngleTable>(std::move(table));
   return platform;
 }
 

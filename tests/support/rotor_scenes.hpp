@@ -27,6 +27,11 @@ inline Scenario caged_gyroscope() {
   return s;
 }
 
+inline Scenario by_general_model(Scenario s) {
+  s.numerics.form = ModelForm::general;
+  return s;
+}
+
 /// A cage of any shape with a rotor on any axis, with any bearing or drive.
 inline Scenario any_gyrostat(std::mt19937_64& random) {
   const auto number = [&](double least, double most) { return std::uniform_real_distribution<double>(least, most)(random); };
@@ -40,7 +45,7 @@ inline Scenario any_gyrostat(std::mt19937_64& random) {
   s.release.tilt_deg = number(10, 120), s.release.azimuth_deg = number(0, 360);
   s.release.angular_velocity_body_rad_s = {number(-3, 3), number(-3, 3), number(-3, 3)};
   if (number(0, 1) < 0.5) s.release.rates_relative_to = RatesRelativeTo::inertial;
-  rotor.drive = static_cast<RotorDrive>(std::uniform_int_distribution<int>(0, 3)(random));
+  rotor.drive = static_cast<RotorDrive>(std::uniform_int_distribution<int>(0, 4)(random));
   if (rotor.drive == RotorDrive::ramp) rotor.acceleration_rad_s2 = number(-50, 50);
   if (rotor.drive == RotorDrive::harmonic)
     rotor.amplitude_rad_s = number(1, 20), rotor.frequency_hz = number(0.2, 2), rotor.phase_deg = number(0, 360);
@@ -51,6 +56,20 @@ inline Scenario any_gyrostat(std::mt19937_64& random) {
   if (number(0, 1) < 0.3) s.effects.applied.viscous_N_m_s = number(0, 2e-6);
   s.duration_s = number(0.5, 3);
   s.output_step_s = s.duration_s / 10;
+  if (rotor.drive == RotorDrive::table) {
+    AngleTable table;
+    for (int k = 0; k < 8; ++k)
+      table.t_s.push_back(s.duration_s * k / 7), table.value.push_back(number(-1, 1) * rotor.spin_rad_s);
+    rotor.table.rows = std::make_shared<const AngleTable>(std::move(table));
+  }
+  if (number(0, 1) < 0.3) {
+    PlatformSpec& platform = s.platform.emplace();
+    platform.motion = static_cast<PlatformMotion>(std::uniform_int_distribution<int>(0, 2)(random));
+    platform.axis = {number(-1, 1), number(-1, 1), number(-1, 1)};
+    platform.rate_rad_s = number(-1, 1), platform.acceleration_rad_s2 = number(-1, 1), platform.amplitude_rad = number(0, 0.3);
+    platform.frequency_hz = number(0.2, 2);
+    platform.pivot_offset_m = {number(-1, 1), number(-1, 1), number(-1, 1)};
+  }
   return s;
 }
 

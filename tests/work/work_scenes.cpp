@@ -179,10 +179,10 @@ void body_on_platform(Scenario& s, Random& random) {
     double angle = 0;
     for (int i = 0; i < rows; ++i) {
       table->t_s.push_back(s.duration_s * i / (rows - 1.0));
-      table->angle_rad.push_back(angle);
+      table->value.push_back(angle);
       angle += rate * s.duration_s / rows * random.uniform(-1, 1);
     }
-    p.table = table;
+    p.table.rows = table;
   }
   if (random.uniform(0, 1) < 0.8)
     p.pivot_offset_m = {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)};

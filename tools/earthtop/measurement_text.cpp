@@ -86,14 +86,17 @@ std::string residuals_text(const MeasurementReport& report) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
   order.resize(std::min(order.size(), kShown));
   std::sort(order.begin(), order.end());
-  std::string text = fmt::format("\nResiduals{}, measured less predicted{}\n  {:>14}  {:<14} {:>13} {:>13} {:>12}\n",
-                                 report.fitted ? " after the fit" : "",
-                                 report.residuals.size() > kShown ? fmt::format(": the {} largest", kShown) : "", "t_s",
-                                 "quantity", "residual_rad", "st_error_rad", "st. errors");
+  const bool has_rates = std::ranges::any_of(report.residuals, [](const MeasurementResidual& residual) {
+    return residual.quantity == to_string(MeasuredQuantity::rotor_rate);
+  });
+  std::string text = fmt::format(
+      "\nResiduals{}, measured less predicted{}\n  {:>14}  {:<14} {:>13} {:>13} {:>12}\n",
+      report.fitted ? " after the fit" : "", report.residuals.size() > kShown ? fmt::format(": the {} largest", kShown) : "",
+      "t_s", "quantity", has_rates ? "rad or rad/s" : "residual_rad", has_rates ? "st. error" : "st_error_rad", "st. errors");
   for (const std::size_t i : order) {
     const MeasurementResidual& r = report.residuals[i];
-    text += fmt::format("  {:>14.8g}  {:<14} {:>+13.4e} {:>13.4e} {:>+12.3f}\n", r.t_s, r.quantity, r.residual_rad,
-                        r.standard_error_rad, r.normalised());
+    text += fmt::format("  {:>14.8g}  {:<14} {:>+13.4e} {:>13.4e} {:>+12.3f}\n", r.t_s, r.quantity, r.residual,
+                        r.standard_error, r.normalised());
   }
   return text;
 }

@@ -7,8 +7,8 @@ namespace earthtop::tool {
 
 std::vector<std::string> files_of(const std::string& file, const Scenario& scenario) {
   std::vector<std::string> files = {file};
-  if (scenario.platform && !scenario.platform->file.empty())
-    files.push_back((std::filesystem::path(file).parent_path() / scenario.platform->file).string());
+  for (const FiledTable* table : tables_of(scenario))
+    files.push_back((std::filesystem::path(file).parent_path() / table->file).string());
   return files;
 }
 

@@ -138,6 +138,12 @@ std::string part_of_drift(double part, double bound) {
                                  : fmt::format("{:+.6e} rad = {}", part, pictured(part));
 }
 
+/// Whether the rotor's axis is another one than body axis 3.
+bool judges_rotor_axis(const RunResult& result) {
+  const auto& rotor = result.scene.scenario().rotor;
+  return rotor && (rotor->axis[0] != 0 || rotor->axis[1] != 0 || rotor->axis[2] < 0);
+}
+
 void write_drift(Page& page, const RunResult& result) {
   if (!has_drift(result)) {
     page.heading("Drift");
@@ -174,8 +180,12 @@ void write_drift(Page& page, const RunResult& result) {
   page.line("  attitude    {} (the whole turn between the two)",
             with_bound(drift.attitude_final_rad, drift.attitude_bound_rad, "rad"));
   if (const auto& rotor = last->rotor) {
-    page.line("  rotor axis  {}", with_bound(rotor->drift_axis_rad, rotor->drift_axis_bound_rad, "rad"));
-    page.line("  rotor      {:+.6e} rad/s, {:+.6e} rad, relative to the body", rotor->drift_rate_rad_s, rotor->drift_angle_rad);
+    const std::string axis = with_bound(rotor->drift_axis_rad, rotor->drift_axis_bound_rad, "rad");
+    page.line("  rotor axis  {}",
+              judges_rotor_axis(result) ? page.strong(axis) + ", which verdict and threshold follow" : axis);
+    page.line("  rotor rate  {}, relative to the body",
+              with_bound(rotor->drift_rate_rad_s, rotor->drift_rate_bound_rad_s, "rad/s"));
+    page.line("  and angle   {}", with_bound(rotor->drift_angle_rad, rotor->drift_angle_bound_rad, "rad"));
   }
   const char* label = "tip";
   for (const std::string& line : tip_drift_lines(result, *last, drift.tip_bound_m.value_or(0))) {
@@ -224,7 +234,8 @@ void write_threshold(Page& page, const RunResult& result) {
   const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
   if (!crossing || !result.scene.scenario().threshold_rad) return;
   const std::optional<double>& time = result.drift.threshold_time_s;
-  const std::string threshold = fmt::format("{} rad ", *result.scene.scenario().threshold_rad);
+  const std::string threshold =
+      fmt::format("{} rad {}", *result.scene.scenario().threshold_rad, judges_rotor_axis(result) ? "of the rotor's axis " : "");
   const std::string computed = time ? fmt::format(", as computed at t = {:.9g} s", *time) : ", as computed not passed";
   switch (*crossing) {
     case ThresholdCrossing::not_reached: page.entry("Threshold", threshold + "not reached"); break;

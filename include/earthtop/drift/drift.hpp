@@ -40,9 +40,10 @@ struct BasicRotorRow {
   std::array<T, 3> axis_L = {};
   T ref_rate_rad_s = T(0), ref_angle_rad = T(0);
   std::array<T, 3> ref_axis_L = {};
-  T drift_rate_rad_s = T(0), drift_angle_rad = T(0);  ///< rotating minus reference
-  T drift_axis_rad = T(0);                            ///< angle between the rotor's two axes
-  T drift_axis_bound_rad = T(0);                      ///< bound on the error of `drift_axis_rad`
+  T drift_rate_rad_s = T(0), drift_angle_rad = T(0);              ///< rotating minus reference
+  T drift_axis_rad = T(0);                                        ///< angle between the rotor's two axes
+  T drift_axis_bound_rad = T(0);                                  ///< bound on the error of `drift_axis_rad`
+  T drift_rate_bound_rad_s = T(0), drift_angle_bound_rad = T(0);  ///< the same of the other two
 };
 
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
@@ -129,6 +130,8 @@ struct DriftSummary {
   /// Of a gyrostat: the same of the rotor's axis.
   std::optional<double> rotor_axis_final_rad, rotor_axis_max_rad, rotor_axis_bound_rad;
   std::optional<double> rotor_axis_max_at_s, rotor_axis_max_bound_rad;
+  /// The bound of the axis whose drift is judged: a rotor's, else body axis 3.
+  double watched_axis_bound_rad() const { return rotor_axis_bound_rad.value_or(axis_bound_rad); }
 };
 
 /// Summarises the rows. The members on the threshold and the trend stay empty: the integrations, which see every step, find

@@ -33,6 +33,7 @@ struct DriftState {
   T e_w = T(1);
   Vec3<T> e_v_scaled = Vec3<T>::Zero();
   T epsilon = T(1);
+  Vec3<T> watched_axis_B = Vec3<T>::UnitZ();  ///< the axis of which a threshold is watched: body axis 3, or a rotor's
 };
 
 /// How far the axis and the attitude have drifted, found without cancellation. Angles in rad; the vectors are divided by
@@ -57,6 +58,19 @@ DriftMeasures<T> measure_drift(const DriftState<T>& state, DriftSought sought = 
 extern template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSought);
 extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
 extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
+
+/// The drift of any body axis (a unit vector), and that of the axis watched.
+template <class T>
+AxisDrift<T> drift_of_axis(const DriftState<T>& state, const Vec3<T>& axis_B);
+template <class T>
+AxisDrift<T> watched_drift(const DriftState<T>& state) {
+  if (state.watched_axis_B != Vec3<T>(Vec3<T>::UnitZ())) return drift_of_axis(state, state.watched_axis_B);
+  const DriftMeasures<T> measures = measure_drift(state, DriftSought::distances);
+  return {measures.axis, measures.axis_difference_L_scaled};
+}
+extern template AxisDrift<double> drift_of_axis(const DriftState<double>&, const Vec3<double>&);
+extern template AxisDrift<long double> drift_of_axis(const DriftState<long double>&, const Vec3<long double>&);
+extern template AxisDrift<float128> drift_of_axis(const DriftState<float128>&, const Vec3<float128>&);
 
 /// The two drift angles that can go through more than a full turn, the half spin and the azimuth. Each is given by its sine and
 /// cosine, both times the same positive number: these are cheap enough to be followed from step to step.

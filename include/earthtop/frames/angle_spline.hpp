@@ -31,6 +31,8 @@ class AngleSpline {
     const T u = t - p.start;
     return p.rate + u * (T(2) * p.half_acceleration + u * T(3) * p.sixth_jerk);
   }
+  /// The integral of the angle from 0 to t.
+  T angle_integral(T t) const { return since_start(t) - since_start(T(0)); }
   T angle_acceleration(T t) const {
     const Piece& p = piece(t);
     return T(2) * p.half_acceleration + T(6) * (t - p.start) * p.sixth_jerk;
@@ -60,10 +62,16 @@ class AngleSpline {
   /// The angle is angle + u (rate + u (half_acceleration + u sixth_jerk)) with u = t - start, until the next piece starts.
   struct Piece {
     T start, angle, rate, half_acceleration, sixth_jerk;
+    T before = T(0);  ///< the integral of the angle up to `start`
   };
   const Piece& piece(T t) const {
     const auto later = [](T at, const Piece& p) { return at < p.start; };
     return *(std::upper_bound(pieces_.begin() + 1, pieces_.end(), t, later) - 1);
+  }
+  T since_start(T t) const {
+    const Piece& p = piece(t);
+    const T u = t - p.start;
+    return p.before + u * (p.angle + u * (p.rate / T(2) + u * (p.half_acceleration / T(3) + u * p.sixth_jerk / T(4))));
   }
   T end_of(std::size_t i) const { return i + 1 < pieces_.size() ? pieces_[i + 1].start : end_; }
 

@@ -23,18 +23,19 @@
 
 namespace earthtop {
 
-/// The quantities of body axis 3 that can be measured, in the laboratory (East, North, Up): compass azimuth, clockwise from
+/// The quantities that can be measured: those of body axis 3, in the laboratory (East, North, Up): compass azimuth, clockwise from
 /// North seen from above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, which are the motion on the
-/// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one.
-enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt };
+/// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one. And the rate of a
+/// rotor relative to the body, as a tachometer in the frame reads it.
+enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt, rotor_rate };
 std::string_view to_string(MeasuredQuantity quantity);
 
 struct MeasuredValue {
   MeasuredQuantity quantity = MeasuredQuantity::azimuth;
   double t_s = 0;                  ///< time since the release (s)
-  double angle_rad = 0;            ///< measured angle (rad); azimuths modulo 2 pi; not used for an axis
+  double value = 0;                ///< angle (rad), azimuths modulo 2 pi, or rate (rad/s); not used for an axis
   std::array<double, 3> axis_L{};  ///< for an axis: unit vector in laboratory axes
-  double standard_error_rad = 0;   ///< (rad); for an axis: of each of the two components at right angles to it
+  double standard_error = 0;       ///< in the same unit; for an axis (rad): of each of the two components at right angles to it
   std::uint64_t line = 0;          ///< line number in the file
 };
 
@@ -48,6 +49,7 @@ struct Measurement {
 ///   t_s                                            since the release, starting at 0, ascending; several rows may have one time
 ///   azimuth_rad, _deg or _arcsec                   with its standard error azimuth_se_rad, _deg or _arcsec
 ///   tilt_*, drift_azimuth_*, drift_tilt_*          likewise
+///   rotor_rate_rad_s, _rpm                         likewise
 ///   axis_L_x, axis_L_y, axis_L_z                   unit vector, normalised here; with axis_se_*
 /// An empty cell was not measured; a measured value needs its standard error, above 0. Columns that begin with `_` are skipped.
 /// At most 200,000 rows.
@@ -63,14 +65,14 @@ struct MeasurementResidual {
   double t_s = 0;
   std::uint64_t line = 0;
   std::string_view quantity;
-  double measured_rad = 0;
-  double predicted_rad = 0;  ///< NaN for the azimuth of a vertical axis
-  double residual_rad = 0;   ///< measured minus predicted; from -pi to pi for azimuths
-  double standard_error_rad = 0;
+  double measured = 0;   ///< in rad, a rate in rad/s; so are the next three
+  double predicted = 0;  ///< NaN for the azimuth of a vertical axis
+  double residual = 0;   ///< measured minus predicted; from -pi to pi for azimuths
+  double standard_error = 0;
   /// Where errors are correlated in time: what is new in the normalised residual beside those before it, in its own standard
   /// errors. These are independent of each other.
   std::optional<double> whitened = {};
-  double normalised() const { return residual_rad / standard_error_rad; }
+  double normalised() const { return residual / standard_error; }
   /// The number whose square enters chi-squared.
   double independent() const { return whitened ? *whitened : normalised(); }
 };
@@ -135,6 +137,7 @@ struct CurvePoint {
   double azimuth_rad = 0;  ///< modulo 2 pi; NaN where the axis is vertical
   double tilt_rad = 0;
   double drift_azimuth_rad = 0, drift_tilt_rad = 0;  ///< NaN unless drifts were measured
+  double rotor_rate_rad_s = 0;                       ///< NaN without a rotor
 };
 
 /// The wishes of the caller of a comparison.

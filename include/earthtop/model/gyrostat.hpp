@@ -7,7 +7,7 @@
 
 namespace earthtop {
 
-/// The rotor in SI units.
+/// The rotor in SI units.   @throws std::invalid_argument for RotorDrive::table with a missing or invalid table
 template <class T>
 Rotor<T> make_rotor(const RotorSpec& spec);
 
@@ -17,6 +17,10 @@ Rotor<T> make_rotor(const RotorSpec& spec);
 template <class T>
 Body<T> gyrostat_body(const Body<T>& cage, const RotorSpec& rotor, bool whole);
 
+/// The body without the rotor: the inverse of gyrostat_body.
+template <class T>
+Body<T> without_rotor(const Body<T>& both, const RotorSpec& rotor, bool whole);
+
 /// Makes the model of `gyrostat_body` that of a gyrostat.   @param rotor  in SI units
 template <class T>
 void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units);
@@ -24,6 +28,7 @@ void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units);
 #define EARTHTOP_ROTOR(T)                                                        \
   extern template Rotor<T> make_rotor(const RotorSpec&);                         \
   extern template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
+  extern template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
   extern template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)

@@ -17,11 +17,14 @@ struct LedgerEntry {
   Vec3<T> tau_cor_A = Vec3<T>::Zero();    ///< Coriolis
   Vec3<T> tau_trans_A = Vec3<T>::Zero();  ///< transverse
   Vec3<T> tau_cent_A = Vec3<T>::Zero();   ///< centrifugal
-  Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of L' = Theta w_AB
+  Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of the momentum L' that A sees
   Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques minus dL_dt_A: round-off
   std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
                                                         Vec3<T>::Zero()};  ///< parts of tau_phys_A, in the order of
                                                                            ///< kAppliedShares
+  /// The two parts of the Coriolis torque, for a frame that turns at u: -(dTheta/dt) u, from the change of the inertia as A sees it, and
+  /// L' x u, the gyroscopic torque of the momentum L'.
+  Vec3<T> tau_cor_inertia_A = Vec3<T>::Zero(), tau_cor_gyroscopic_A = Vec3<T>::Zero();
   Vec3<T> force_table_A = Vec3<T>::Zero();  ///< of a top on a table: the force of the table on the tip
 };
 
@@ -40,16 +43,19 @@ LedgerRow<T> ledger_row(const LedgerEntry<T>& entry) {
 ///             tau_phys + [Theta (w x u) - w x Theta u - u x Theta w] - u x Theta u - Theta alpha_IA
 /// A torque that the scene switches off is missing for the laboratory observer. The other observers see it, with opposite sign,
 /// as an applied torque among the physical ones.
+/// With a rotor in the body (rotor.hpp) L' = Theta w + l, where l = C s c is the rotor's momentum relative to the body, Theta is that of
+/// both, and the second side has l x u more. For the observer in the body L' = l; its rate follows from the rotor's own balance.
 /// @param model  in SI units   @param t  time since the release (s)   @param w_LB_B  rate relative to the laboratory (rad/s)
+/// @param spin  of the rotor relative to the body (rad/s)
 template <class T>
 LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,
-                            const Vec3<T>& w_LB_B);
+                            const Vec3<T>& w_LB_B, T spin = T(0));
 extern template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
-                                                 const Vec3<double>&);
+                                                 const Vec3<double>&, double);
 extern template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
-                                                      const Quaternion<long double>&, const Vec3<long double>&);
+                                                      const Quaternion<long double>&, const Vec3<long double>&, long double);
 extern template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128,
-                                                   const Quaternion<float128>&, const Vec3<float128>&);
+                                                   const Quaternion<float128>&, const Vec3<float128>&, float128);
 
 /// The state of a top on a table, in the model's units.
 template <class T>

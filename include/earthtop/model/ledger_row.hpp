@@ -25,8 +25,9 @@ struct LedgerRow {
   std::array<T, 3> tau_phys_A = {};  ///< apparent gravity, the effect of a driven pivot, and the applied torques
   std::array<T, 3> tau_cor_A = {}, tau_trans_A = {}, tau_cent_A = {};
   std::array<T, 3> dL_dt_A = {};
-  std::array<T, 3> residual_A = {};                                  ///< the sum of the four torques minus dL_dt_A
-  std::array<std::array<T, 3>, kAppliedShares.size()> share_A = {};  ///< parts of tau_phys_A, in the order of kAppliedShares
+  std::array<T, 3> residual_A = {};                                    ///< the sum of the four torques minus dL_dt_A
+  std::array<std::array<T, 3>, kAppliedShares.size()> share_A = {};    ///< parts of tau_phys_A, in the order of kAppliedShares
+  std::array<T, 3> tau_cor_inertia_A = {}, tau_cor_gyroscopic_A = {};  ///< the two parts of tau_cor_A
   std::array<T, 3> force_table_A = {};  ///< of a top on a table: the force of the table on the tip (N)
 };
 
@@ -37,6 +38,7 @@ LedgerRow<T> ledger_row_from(const Entry& entry, Store stored) {
   LedgerRow<T> row{stored(entry.tau_phys_A), stored(entry.tau_cor_A), stored(entry.tau_trans_A),
                    stored(entry.tau_cent_A), stored(entry.dL_dt_A),   stored(entry.residual_A)};
   for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = stored(entry.share_A[i]);
+  row.tau_cor_inertia_A = stored(entry.tau_cor_inertia_A), row.tau_cor_gyroscopic_A = stored(entry.tau_cor_gyroscopic_A);
   row.force_table_A = stored(entry.force_table_A);
   return row;
 }

@@ -116,6 +116,13 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
   }
 }
 
+/// The inertia of body and rotor together, also where the model's own tensor leaves a free rotor's axial moment out (rotor.hpp).
+template <class T>
+Mat3<T> inertia_of_all(const Model<T>& model) {
+  if (model.kind != SceneKind::gyrostat || model.rotor.driven) return model.I_BP_B;
+  return model.I_BP_B + model.rotor.axial * (model.rotor.axis_B * model.rotor.axis_B.transpose());
+}
+
 /// Returns the model of the same body on an Earth that stands still, as the non-rotating prediction has it.
 template <class T>
 Model<T> without_earth_rate(Model<T> model) {

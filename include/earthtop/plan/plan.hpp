@@ -22,8 +22,8 @@ namespace earthtop {
 struct PlannedQuantity {
   std::string name;  ///< with its unit, e.g. "azimuth_deg"
   MeasuredQuantity quantity = MeasuredQuantity::azimuth;
-  std::string unit;           ///< "rad", "deg" or "arcsec"
-  double unit_rad = 1;        ///< (rad)
+  std::string unit;           ///< "rad", "deg" or "arcsec"; "rad_s" or "rpm"
+  double unit_size = 1;       ///< (rad, or rad/s of a rate)
   double standard_error = 0;  ///< of each value, in the unit; for an axis: of each of the two components at right angles to it
 };
 

@@ -139,6 +139,20 @@ inline constexpr std::array<InputRow, kInputCount> kInputs = {
     {"/uncertainty/rolling_resistance_m", "/contact/rolling_resistance_m", "m", 1e3,
      "standard error of contact/rolling_resistance_m, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.contact, &ContactSpec::rolling_resistance_m); }},
+    {"/uncertainty/rotor_spin_rad_s", "/rotor/spin_rad_s", "rad/s", 1e9,
+     "standard error of rotor/spin_rad_s, the rotor's rate at release, without a table", InputKind::number,
+     [](Scenario& s) { return s.rotor && s.rotor->drive != RotorDrive::table ? &s.rotor->spin_rad_s : nullptr; }},
+    {"/uncertainty/rotor_axial_kg_m2", "/rotor/axial_kg_m2", "kg m^2", 1e9, "standard error of rotor/axial_kg_m2",
+     InputKind::number, [](Scenario& s) { return inputs::in(s.rotor, &RotorSpec::axial_kg_m2); }},
+    {"/uncertainty/rotor_transverse_kg_m2", "/rotor/transverse_kg_m2", "kg m^2", 1e9,
+     "standard error of rotor/transverse_kg_m2", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.rotor, &RotorSpec::transverse_kg_m2); }},
+    {"/uncertainty/rotor_viscous_torque_N_m_s", "/rotor/viscous_torque_N_m_s", "N m s", 1e9,
+     "standard error of rotor/viscous_torque_N_m_s, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.rotor, &RotorSpec::viscous_torque_N_m_s); }},
+    {"/uncertainty/rotor_coulomb_torque_N_m", "/rotor/coulomb_torque_N_m", "N m", 1e9,
+     "standard error of rotor/coulomb_torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.rotor, &RotorSpec::coulomb_torque_N_m); }},
 };
 static_assert(!kInputs.back().pointer.empty());
 

@@ -51,7 +51,7 @@ struct HeadlineSpec {
 };
 
 /// The number of inputs with respect to which a drift is differentiated; inputs.hpp lists them.
-inline constexpr std::size_t kInputCount = 27;
+inline constexpr std::size_t kInputCount = 32;
 
 struct Scenario {
   // The special members are defined in one source file, to save compile time in the others.
@@ -111,6 +111,9 @@ class OutputTimes {
 
 /// Returns all of them. @returns times (s), ascending, of shape (rows)   @throws as OutputTimes
 std::vector<double> output_times(double duration_s, double output_step_s);
+
+/// Returns the tables that a scenario has from files.
+std::vector<const FiledTable*> tables_of(const Scenario& scenario);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).
 struct ScenarioSource {

@@ -28,7 +28,6 @@ struct Support {
   bool has_contact = false;
   bool has_rotor = false;  ///< whether the equations are those of a gyrostat; not for a caged top, which has a rotor, too
   bool may_damp = false;   ///< whether it may brake the body itself, beside the friction among the effects
-  bool drives = false;     ///< whether the motion may come to other rates than those of its release
   std::string_view no_exact_motion{};  ///< of a method, after its name
   std::string_view no_motion_alone{};  ///< of one motion without the deviation from the other
   std::string_view no_effect_sizes{};  ///< of the effect budget
@@ -41,8 +40,11 @@ bool has_symmetric_cage(const Scenario& scenario);
 /// Whether a scenario's rotor turns about the symmetry axis of a symmetric cage on which nothing brakes its turn about that axis. Axis and
 /// attitude drift then as those of a rigid top do, whatever the bearing or the motor does: with L the momentum along the axis, I3 that of
 /// both and I3 w3 = L. So the scene is that of this rigid top, and the rows get the cage's own turn and the rotor. Not with dry friction in
-/// the bearing, which leaves no closed form of the turn, nor where the general model or the torques of a gyrostat are asked for.
+/// the bearing, which leaves no closed form of the turn, nor where the general model is asked for.
 bool is_caged_top(const Scenario& scenario);
+
+/// Whether a scenario's motion may come to other rates than those of its release: on a platform, and in a gimbal.
+bool may_be_driven(const Scenario& scenario);
 
 /// Returns what carries the top of a scenario.
 const Support& support_of(const Scenario& scenario);

@@ -186,13 +186,15 @@ std::vector<DriftTrajectory<double>> integrate(const lanes::Kernel& kernel, std:
   return trajectories;
 }
 
-/// The drift of any body in any scene, as recorded.
-template <Observer O>
-class ComposedDrift : public DriftSystem<double, O, SceneKind::full, RotatingMotion::composed> {
+/// The drift of any body in any scene, as recorded.   @tparam K  full, or gyrostat
+template <Observer O, SceneKind K = SceneKind::full>
+class ComposedDrift : public DriftSystem<double, O, K, RotatingMotion::composed> {
  public:
-  using Base = DriftSystem<double, O, SceneKind::full, RotatingMotion::composed>;
-  static constexpr int kVariables = lanes::kComposedDriftVariables;
-  static_assert(lanes::are_groups_of<Base>(lanes::kComposedDriftGroups));
+  using Base = DriftSystem<double, O, K, RotatingMotion::composed>;
+  static constexpr bool kGyrostat = K == SceneKind::gyrostat;
+  static constexpr int kVariables = kGyrostat ? lanes::kGyrostatDriftVariables : lanes::kComposedDriftVariables;
+  static_assert(kGyrostat ? lanes::are_groups_of<Base>(lanes::kGyrostatDriftGroups)
+                          : lanes::are_groups_of<Base>(lanes::kComposedDriftGroups));
 
   explicit ComposedDrift(const DriftProblem<double>& problem) : Base(problem.model), problem_(problem) {}
   typename Base::State initial_state() const { return Base::initial_state(problem_.natural_release()); }
@@ -274,17 +276,28 @@ std::vector<DriftTrajectory<double>> integrate_recorded(const lanes::Kernel& ker
 /// Whether the equations of a problem have to be recorded: no series is written for them.
 bool is_recorded(const DriftProblem<double>& problem) { return problem.model.kind != SceneKind::plain; }
 
+template <SceneKind K>
+std::vector<DriftTrajectory<double>> integrate_composed(const lanes::Kernel& kernel, int width,
+                                                        std::span<const DriftProblem<double>> problems,
+                                                        const IntegrationOptions& options, const Watch& watch) {
+  if (options.observer == Observer::inertial)
+    return integrate_recorded<ComposedDrift<Observer::inertial, K>>(kernel, width, problems, options, watch);
+  if (options.observer == Observer::body)
+    return integrate_recorded<ComposedDrift<Observer::body, K>>(kernel, width, problems, options, watch);
+  throw std::logic_error("the general form in lanes has no laboratory axes");
+}
+
 std::vector<DriftTrajectory<double>> integrate_recorded(std::span<const DriftProblem<double>> problems,
                                                         const IntegrationOptions& options, const Watch& watch,
                                                         InstructionSet set) {
   const bool is_inertial = options.observer == Observer::inertial;
   const int width = lanes::width_of(set);
   if (options.form == ModelForm::general) {
-    const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kComposedDrift);
-    if (is_inertial) return integrate_recorded<ComposedDrift<Observer::inertial>>(kernel, width, problems, options, watch);
-    if (options.observer == Observer::body)
-      return integrate_recorded<ComposedDrift<Observer::body>>(kernel, width, problems, options, watch);
-    throw std::logic_error("the general form in lanes has no laboratory axes");
+    if (problems.front().model.kind == SceneKind::gyrostat)
+      return integrate_composed<SceneKind::gyrostat>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kGyrostatDrift), width, problems,
+                                                     options, watch);
+    return integrate_composed<SceneKind::full>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kComposedDrift), width, problems, options,
+                                               watch);
   }
   if (options.observer == Observer::body) throw std::logic_error("the reduced form has no body axes");
   if (is_compass(problems.front().model)) {
@@ -315,7 +328,7 @@ std::vector<DriftTrajectory<double>> integrate_drift_in_lanes(std::span<const Dr
   const InstructionSet taken = lanes::available(set);
   if (problems.empty()) return {};
   const auto kind = [](const DriftProblem<double>& problem) {
-    return std::pair(is_recorded(problem), is_compass(problem.model));
+    return std::pair(problem.model.kind, is_compass(problem.model));
   };
   if (std::ranges::adjacent_find(problems, std::ranges::not_equal_to{}, kind) != problems.end())
     throw std::logic_error("problems side by side must be of one kind");

@@ -21,6 +21,11 @@ struct ComposedDriftLanes {
   static constexpr const Group* kGroups = kComposedDriftGroups;
 };
 
+struct GyrostatDriftLanes {
+  static constexpr int kVariables = kGyrostatDriftVariables, kGroupCount = 7;
+  static constexpr const Group* kGroups = kGyrostatDriftGroups;
+};
+
 }  // namespace
 }  // namespace earthtop::lanes
 
@@ -32,4 +37,6 @@ struct ComposedDriftLanes {
                                    evaluate_block<RecordedLanes<CompassDriftLanes>>};   \
   const Kernel kComposedDrift_##set{step_block<RecordedLanes<ComposedDriftLanes>>,      \
                                     evaluate_block<RecordedLanes<ComposedDriftLanes>>}; \
+  const Kernel kGyrostatDrift_##set{step_block<RecordedLanes<GyrostatDriftLanes>>,      \
+                                    evaluate_block<RecordedLanes<GyrostatDriftLanes>>}; \
   }

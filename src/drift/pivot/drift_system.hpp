@@ -227,7 +227,9 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
   DriftState<T> deviation_state(const State& x, T t) const {
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
-    return seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
+    DriftState<T> s = seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
+    if constexpr (kGyrostat) s.watched_axis_B = model_.rotor.axis_B;
+    return s;
   }
   /// Called after every step: if dry friction has brought a motion to rest, it is held there from then on.
   void settle(State& x, T t) requires kSettles {

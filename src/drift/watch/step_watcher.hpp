@@ -64,7 +64,7 @@ class StepWatcher {
   /// The sample for a state that operator() has seen. @param t  its time in natural units   @param t_s  the same time as given by
   /// the scenario (s)
   DriftSample<T> sample(const typename System::State& x, T t, double t_s) const {
-    return sample_of(system_.shared_state(x, t), t_s);
+    return sample_of(system_.shared_state(x, t), x, t, t_s);
   }
   /// Both in one: the angles are followed to those of the sample.
   DriftSample<T> seen_sample(const typename System::State& x, T t, double t_s) {
@@ -72,7 +72,7 @@ class StepWatcher {
     DriftState<T> state = system_.shared_state(x, t);
     if (sought_ == DriftSought::rows) follow_angles(state);
     search(t, x);
-    return sample_of(state, t_s);
+    return sample_of(state, x, t, t_s);
   }
   /// How often the angles have gone round so far, for another watcher that goes on from here.
   const StepWatcherTurns<T>& turns() const { return turns_; }
@@ -100,7 +100,7 @@ class StepWatcher {
     if constexpr (!std::is_same_v<Search, NoSearch>)
       if (search_) search_->follow(flow(system_), t, flow_state(x, t));
   }
-  DriftSample<T> sample_of(const DriftState<T>& state, double t_s) const {
+  DriftSample<T> sample_of(const DriftState<T>& state, const typename System::State& x, T t, double t_s) const {
     DriftSample<T> sample;
     sample.state = state;
     sample.measures = measure_drift(state, sought_);
@@ -109,7 +109,20 @@ class StepWatcher {
     sample.state.t_s = T(t_s);
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
+    sample.rotor = rotor_of(state, x, t);
     return sample;
+  }
+  /// The state of a gyrostat's rotor, with rates in rad/s; null for other tops.
+  std::shared_ptr<const RotorState<T>> rotor_of([[maybe_unused]] const DriftState<T>& both,
+                                                [[maybe_unused]] const typename System::State& x, [[maybe_unused]] T t) const {
+    if constexpr (requires { system_.rotor_state(x, t); }) {
+      RotorState<T> rotor = system_.rotor_state(x, t);
+      for (T* rate : {&rotor.rate, &rotor.ref_rate, &rotor.rate_difference_scaled}) *rate = units_.rate_to_rad_s(*rate);
+      rotor.axis = drift_of_axis(both, rotor.axis_B);
+      return std::make_shared<const RotorState<T>>(rotor);
+    } else {
+      return nullptr;
+    }
   }
   static decltype(auto) flow(const System& system) {
     if constexpr (HasFlow<System>)

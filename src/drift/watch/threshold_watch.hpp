@@ -15,13 +15,13 @@ namespace earthtop {
 /// @param apart  the time from `before` to `after`
 template <class T>
 AxisDriftSample<T> axis_look(T t, const DriftState<T>& at, const DriftState<T>& before, const DriftState<T>& after, T apart) {
-  const DriftMeasures<T> m = measure_drift(at), m_before = measure_drift(before), m_after = measure_drift(after);
+  const AxisDrift<T> now = watched_drift(at), earlier = watched_drift(before), later = watched_drift(after);
   AxisDriftSample<T> look;
   look.t = t;
-  look.axis = m.axis;
-  look.rate = (m_after.axis - m_before.axis) / apart;
-  look.difference = at.epsilon * m.axis_difference_L_scaled;
-  look.difference_rate = (at.epsilon / apart) * (m_after.axis_difference_L_scaled - m_before.axis_difference_L_scaled);
+  look.axis = now.angle;
+  look.rate = (later.angle - earlier.angle) / apart;
+  look.difference = at.epsilon * now.difference_L_scaled;
+  look.difference_rate = (at.epsilon / apart) * (later.difference_L_scaled - earlier.difference_L_scaled);
   return look;
 }
 
@@ -30,7 +30,7 @@ template <class T>
 AxisDriftSample<T> axis_look(T t, const DriftState<T>& at) {
   AxisDriftSample<T> look;
   look.t = t;
-  look.axis = measure_drift(at).axis;
+  look.axis = watched_drift(at).angle;
   return look;
 }
 

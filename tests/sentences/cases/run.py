@@ -442,9 +442,14 @@ def along_the_earth_s_axis(lever_m, duration_s):
 
 ROTOR = {"mass_kg": 0.02, "axial_kg_m2": 1e-5, "transverse_kg_m2": 6e-6, "spin_rad_s": 300}
 GYROSTAT = [
-    Case(RUN, ["rotor +0.000000e+00 rad/s, +0.000000e+00 rad, relative to the body",
+    Case(RUN, ["relative to the body and angle",
                "300 rad/s (2864.79 rpm) relative to the body, momentum 0.003 kg m²/s"],
          set={"/rotor": ROTOR, "/release/spin_rad_s": 0, "/motion/duration_s": 2}, unless={"/rotor": None}),
+    # The axis that is judged, and at the time named the row has the threshold.
+    Case(RUN, [", which verdict and threshold follow", "1e-06 rad of the rotor's axis passed at t ="],
+         set={"/rotor": {**ROTOR, "axis": [0, 0.2, 1]}, "/release/spin_rad_s": 0, **IN_A_SECOND, "/report/threshold_rad": 1e-6},
+         unless={"/rotor": ROTOR}, page=ROWS, holds=lambda text: all(
+             float(row["drift_rotor_axis_rad"]) < 1e-6 for row in rows(text) if float(row["t_s"]) < number(text, "passed at t ="))),
 ]
 
 ANOTHER = [

@@ -106,8 +106,11 @@ class Fit(Document):
     @property
     def residuals(self) -> "pandas.DataFrame":
         """One row for each measured number: time (s), quantity, line of the data, measured and predicted angle, residual
-        (measured less predicted) and standard error (rad), and the residual in standard errors."""
-        frame = table(self.document["residuals"], ["quantity", "line"],
+        (measured less predicted) and standard error (rad; for the rate of a rotor rad/s), and the residual in standard errors."""
+        numbers = ("measured", "predicted", "residual", "standard_error")
+        rows = [{**one, **{f"{name}_rad": one[f"{name}_rad_s"] for name in numbers if f"{name}_rad_s" in one}}
+                for one in self.document["residuals"]]
+        frame = table(rows, ["quantity", "line"],
                       ["t_s", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad", "normalised"],
                       order=["t_s", "quantity", "line", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad",
                              "normalised"])

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Decodes a table that a scenario names by its file.
+#pragma once
+
+#include "scenario/angle_table.hpp"
+#include "scenario/decode.hpp"
+
+namespace earthtop::scenario {
+
+/// Reads the table that the keys `file` and `file_sha256` of a section name.   @param duration_s  which it must reach (s)
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
+                  FiledTable& table);
+
+}  // namespace earthtop::scenario
