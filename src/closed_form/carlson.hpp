@@ -128,6 +128,36 @@ T carlson_rj(T x, T y, T z, T p) {
   }
 }
 
+/// R_J(x, y, z, p) where y and z are conjugate complex numbers: the same steps, in which only the sum and the product of y and z appear.
+/// @param x, p  x >= 0, p > 0   @param re, im  of y, which is no negative number
+template <class T>
+T carlson_rj_conjugate(T x, T re, T im, T p) {
+  const T tolerance = duplication_tolerance<T>();
+  T sum = T(0), factor = T(1);
+  for (;;) {
+    const T mean = (x + re + re + p + p) / T(5);
+    const T X = (mean - x) / mean, half = (mean - re) / mean, P = -(X + half + half) / T(2), imaginary = im / mean;
+    const T YZ = half * half + imaginary * imaginary;
+    if (largest(largest(real::abs(X), real::abs(P)), real::sqrt(YZ)) < tolerance) {
+      const T XYZ = X * YZ, E2 = T(2) * X * half + YZ - T(3) * P * P;
+      const T series = third_kind_series<T>(E2, XYZ + T(2) * E2 * P + T(4) * P * P * P,
+                                            (T(2) * XYZ + E2 * P + T(3) * P * P * P) * P, XYZ * P * P);
+      return T(3) * sum + factor * (T(1) + series) / (mean * real::sqrt(mean));
+    }
+    // |y|, and the sum of the roots of y and z, twice the real part of one: without cancellation where re < 0.
+    const T size = real::hypot(re, im), far = real::sqrt(T(2) * (size + real::abs(re)));
+    const T roots = re < T(0) ? T(2) * real::abs(im) / far : far;
+    const T rx = real::sqrt(x), lambda = rx * roots + size;
+    const T alpha = p * (rx + roots) + rx * size, beta = p + lambda;
+    sum += factor * carlson_rc<T>(alpha * alpha, p * beta * beta);
+    factor /= T(4);
+    x = (x + lambda) / T(4);
+    re = (re + lambda) / T(4);
+    im /= T(4);
+    p = (p + lambda) / T(4);
+  }
+}
+
 /// The complete integrals K, E and Pi (DLMF 19.25.1-2) of the parameter m = 1 - m1, m1 > 0. Pi is given p = 1 - n > 0, the
 /// complement of the characteristic n.
 template <class T>

@@ -3,10 +3,36 @@
 
 #include <stdexcept>
 
+#include "closed_form/principal_axes.hpp"
+
 namespace earthtop {
+
+namespace {
+
+/// The body axis along which a vector lies exactly, or -1.
+template <class T>
+int axis_along(const Vec3<T>& v) {
+  const int components = (v[0] != T(0)) + (v[1] != T(0)) + (v[2] != T(0));
+  return components != 1 ? -1 : v[0] != T(0) ? 0 : v[1] != T(0) ? 1 : 2;
+}
+
+template <class T>
+ExactKind kind_of_gyrostat(const Model<T>& model) {
+  const Rotor<T>& rotor = model.rotor;
+  if (model.applied.any) return ExactKind::not_plain;
+  if (norm(model.mass_moment_B) != T(0) && norm(model.apparent_gravity_L) != T(0)) return ExactKind::heavy_gyrostat;
+  if (rotor.viscous != T(0) || rotor.coulomb != T(0)) return ExactKind::braked_rotor;
+  if (rotor.driven && (rotor.drive.rate != T(0) || rotor.drive.amplitude != T(0))) return ExactKind::changing_rotor;
+  const int axis = axis_along(rotor.axis_B);
+  if (axis < 0 || axis_along<T>(model.I_BP_B.col(axis)) != axis) return ExactKind::skew_rotor;
+  return ExactKind::free_gyrostat;
+}
+
+}  // namespace
 
 template <class T>
 ExactKind exact_kind(const Model<T>& model) {
+  if (model.kind == SceneKind::gyrostat) return kind_of_gyrostat(model);
   if (model.kind != SceneKind::plain) return ExactKind::not_plain;
   if (norm(model.mass_moment_B) == T(0) || norm(model.apparent_gravity_L) == T(0)) return ExactKind::free_body;
   if (!is_reducible(model)) return ExactKind::not_symmetric;
@@ -26,6 +52,12 @@ ExactBody<T> exact_body(const Model<T>& model) {
   if (!has_closed_form(body.kind)) throw std::logic_error("exact_body: this motion has no closed form");
   body.I_BP_B = model.I_BP_B;
   body.I_BP_B_inverse = model.I_BP_B_inverse;
+  if (body.kind == ExactKind::free_gyrostat) {
+    const Rotor<T>& rotor = model.rotor;
+    const int axis = axis_along(rotor.axis_B);
+    body.rotor = {axis, rotor.driven, rotor.axial, rotor.axis_B[axis] < T(0) ? T(-1) : T(1), rotor.spin};
+    return body;
+  }
   if (body.kind == ExactKind::free_body) {
     // Without gravity it does not matter where the centre of mass lies.
     body.axis = symmetry_axis(model.I_BP_B, Vec3<T>(Vec3<T>::Zero()));
@@ -42,21 +74,14 @@ template ExactBody<float128> exact_body(const Model<float128>&);
 
 namespace {
 
-/// q_BP of axes P that are the body's, renumbered cyclically so that axis 3 is the axis of symmetry: a third of a turn about
-/// (1, 1, 1), or none.
 template <class T>
-Quaternion<T> from_symmetry_axes(int axis) {
-  if (axis == 2) return {};
-  const T half = T(1) / T(2), v = axis == 0 ? half : -half;
-  return {half, Vec3<T>(v, v, v)};
-}
-
-template <class T>
-std::variant<FreeBody<T>, LagrangeTop<T>> make_motion(const ExactBody<T>& body, const Quaternion<T>& q0_NB,
-                                                      const Vec3<T>& w0_B) {
+std::variant<FreeBody<T>, LagrangeTop<T>, FreeGyrostat<T>> make_motion(const ExactBody<T>& body, const Quaternion<T>& q0_NB,
+                                                                       const Vec3<T>& w0_B) {
+  if (body.kind == ExactKind::free_gyrostat)
+    return FreeGyrostat<T>(body.I_BP_B, body.rotor.axis, body.rotor.momentum(w0_B), q0_NB, w0_B);
   if (body.kind == ExactKind::free_body) return FreeBody<T>(body.I_BP_B, q0_NB, w0_B);
   const int a = body.axis;
-  return LagrangeTop<T>(body.top, q0_NB * from_symmetry_axes<T>(a), Vec3<T>(w0_B[(a + 1) % 3], w0_B[(a + 2) % 3], w0_B[a]));
+  return LagrangeTop<T>(body.top, q0_NB * third_axis_is<T>(a), Vec3<T>(w0_B[(a + 1) % 3], w0_B[(a + 2) % 3], w0_B[a]));
 }
 
 }  // namespace
@@ -64,7 +89,7 @@ std::variant<FreeBody<T>, LagrangeTop<T>> make_motion(const ExactBody<T>& body, 
 template <class T>
 ExactMotion<T>::ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB, const Vec3<T>& w0_IB_B)
     : motion_(make_motion(body, q0_NB, w0_IB_B)), axis_(body.kind == ExactKind::symmetric_top ? body.axis : 2) {
-  q_BP_ = from_symmetry_axes<T>(axis_);
+  q_BP_ = third_axis_is<T>(axis_);
   // The kinetic energy grows by at most 2 |mgl|. For a symmetric top it is the part across the axis that grows, because w3 is
   // conserved.
   const T gained = body.kind == ExactKind::symmetric_top ? T(4) * real::abs(body.top.mgl) : T(0);
@@ -81,6 +106,7 @@ ExactMotion<T>::ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB
 template <class T>
 ClosedFormState<T> ExactMotion<T>::at(T t) const {
   if (const auto* body = std::get_if<FreeBody<T>>(&motion_)) return body->at(t);
+  if (const auto* gyrostat = std::get_if<FreeGyrostat<T>>(&motion_)) return gyrostat->at(t);
   ClosedFormState<T> state = std::get<LagrangeTop<T>>(motion_).at(t);
   if (axis_ == 2) return state;
   state.q_NB = state.q_NB * q_BP_.conjugate();

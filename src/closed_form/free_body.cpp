@@ -2,8 +2,8 @@
 #include "earthtop/closed_form/free_body.hpp"
 
 #include "closed_form/elliptic.hpp"
+#include "closed_form/momentum_frame.hpp"
 #include "closed_form/polhode.hpp"
-#include "closed_form/precession_theta.hpp"
 #include "closed_form/principal_axes.hpp"
 
 namespace earthtop {
@@ -16,29 +16,6 @@ constexpr int kEvaluationRounding = 16;
 constexpr int kPhaseRounding = 12;
 constexpr int kSeparationRounding = 8;
 constexpr int kTensorRounding = 32;
-
-/// The Hamilton product without Eigen's temporaries.
-template <class T>
-Quaternion<T> product(const Quaternion<T>& p, const Quaternion<T>& q) {
-  return {p.w * q.w - p.v[0] * q.v[0] - p.v[1] * q.v[1] - p.v[2] * q.v[2],
-          Vec3<T>(p.w * q.v[0] + q.w * p.v[0] + p.v[1] * q.v[2] - p.v[2] * q.v[1],
-                  p.w * q.v[1] + q.w * p.v[1] + p.v[2] * q.v[0] - p.v[0] * q.v[2],
-                  p.w * q.v[2] + q.w * p.v[2] + p.v[0] * q.v[1] - p.v[1] * q.v[0])};
-}
-
-/// A multiple of the quaternion of Rz(psi) Rmin(l), which is (cos, 0, 0, sin)(1 + l3, l2, -l1, 0): first the smallest rotation
-/// that takes l to axis 3, then the rotation about axis 3.
-template <class T>
-Quaternion<T> from_momentum_frame(const elliptic::UnitPhasor<T>& half_turn, const Vec3<T>& l) {
-  const T c = half_turn.cos, s = half_turn.sin, w = T(1) + l[2];
-  return {c * w, Vec3<T>(c * l[1] + s * l[0], s * l[1] - c * l[0], s * w)};
-}
-
-template <class T>
-Quaternion<T> scaled_to_unit(const Quaternion<T>& q) {
-  const T inverse = T(1) / real::sqrt(q.w * q.w + q.v[0] * q.v[0] + q.v[1] * q.v[1] + q.v[2] * q.v[2]);
-  return {inverse * q.w, Vec3<T>(inverse * q.v[0], inverse * q.v[1], inverse * q.v[2])};
-}
 
 }  // namespace
 
@@ -125,7 +102,7 @@ void FreeBodyMotion<T>::prepare_circling(const Polhode<W>& f, const Quaternion<W
   elliptic::UnitPhasor<W> half = wide_theta.phasor(phase0);
   const auto [s, c] = real::sin_cos(W(linear * phase0));
   half = {half.cos * c + half.sin * s, half.sin * c - half.cos * s};
-  q_NM = converted<T>((q0_NB * body.conjugate() * from_momentum_frame(half, l).conjugate()).normalized());
+  q_NM = converted<T>((q0_NB * body.conjugate() * from_momentum_frame(half, l, W(1) + l[2]).conjugate()).normalized());
   q_PB = converted<T>(body.normalized());
   const Mat3<W> R_BQ = rotation_matrix(q_BQ);
   for (int i = 0; i < 3; ++i) R_BP.col(i) = converted<T>(times<W>(R_BQ, f.from_body.inverse(Vec3<W>(Vec3<W>::Unit(i)))));
@@ -189,7 +166,7 @@ ClosedFormState<T> FreeBodyMotion<T>::circling_at(T t_s) const {
 
   const Vec3<T> l(direction[0] * cn, direction[1] * sn, direction[2] * j.dn);
   ClosedFormState<T> x;
-  x.q_NB = scaled_to_unit(product(product(q_NM, from_momentum_frame(half_turn, l)), q_PB));
+  x.q_NB = scaled_to_unit(product(product(q_NM, from_momentum_frame(half_turn, l, T(1) + l[2])), q_PB));
   x.w_NB_B = times<T>(R_BP, Vec3<T>(rate_amplitude[0] * cn, rate_amplitude[1] * sn, rate_amplitude[2] * j.dn));
 
   const T elliptic_phase = elliptic_rate * real::abs(t_s);

@@ -12,6 +12,15 @@ struct PrincipalAxes {
   Quaternion<T> q_BP;  ///< takes components in the principal axes P to the axes B of the tensor
 };
 
+/// q_BP of axes P that are the body's, renumbered cyclically so that axis 3 is the one given: a third of a turn about
+/// (1, 1, 1), or none.
+template <class T>
+Quaternion<T> third_axis_is(int axis) {
+  if (axis == 2) return {};
+  const T half = T(1) / T(2), v = axis == 0 ? half : -half;
+  return {half, Vec3<T>(v, v, v)};
+}
+
 /// The errors of the moments are a few eps of the largest moment. A tensor without products of inertia keeps its diagonal
 /// exactly, with q_BP = 1. Only the lower triangle is read.
 template <class T>

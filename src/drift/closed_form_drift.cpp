@@ -74,6 +74,7 @@ class ExactPair {
   /// quaternions may have the wrong sign; angles between axes are right at any time.
   DriftState<T> state(T t) {
     const Model<T>& model = problem_.model;
+    change_seen_ = {};
     const ClosedFormState<T> ref = reference_.at(t);
     attitude_error_ = ref.attitude_error;
     const Quaternion<T> ref_q_NB = with_sign_of(followed_reference_.attitude(), ref.q_NB);
@@ -86,6 +87,7 @@ class ExactPair {
       attitude_error_ = std::max(attitude_error_, rot.attitude_error);
       if (change_ && t > T(0)) {
         const RateChange::Value change = change_->at(W(t), followed_reference_.attitude(), followed_rotating_->attitude());
+        change_seen_ = change;
         // Soon after the release the laboratory's turn nearly cancels the deviation. So the difference is taken in 113 bits,
         // before it is rounded to T.
         const Vec3<W> y = rate_scaled_ * change.v_over_lambda;
@@ -100,6 +102,27 @@ class ExactPair {
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, s.epsilon * s.e_v_scaled}.normalized();
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);
     return s;
+  }
+  /// The rotor at the time of the last state, with rates in rad/s; null for a body without one.
+  std::shared_ptr<const RotorState<T>> rotor(T t, const Vec3<T>& ref_w_IB_B) const {
+    const ExactRotor<T>& rotor = body_.rotor;
+    if (rotor.axis < 0) return nullptr;
+    const NaturalUnits& units = problem_.units;
+    const T start = w0_ref_B_[rotor.axis], turn = reference_.axial_turn(t).angle;
+    // Both start at the same rate relative to the body, and their bodies at rates that differ by that of the change.
+    RotorState<T> made;
+    if (change_ && t > T(0)) {
+      const W at_start = change_->direction_B()[rotor.axis], rate = change_seen_.rate_over_lambda - at_start;
+      const W angle = change_seen_.turn_over_lambda - at_start * W(t);
+      made.rate_difference_scaled = units.rate_to_rad_s(rotor.minus_body(static_cast<T>(rate_scaled_ * rate)));
+      made.angle_difference_scaled = rotor.minus_body(static_cast<T>(rate_scaled_ * angle));
+    }
+    made.ref_rate = units.rate_to_rad_s(T(rotor.spin + rotor.minus_body(ref_w_IB_B[rotor.axis] - start)));
+    made.rate = made.ref_rate + problem_.model.epsilon * made.rate_difference_scaled;
+    made.ref_angle = rotor.spin * t + rotor.minus_body(turn - start * t);
+    made.angle = made.ref_angle + problem_.model.epsilon * made.angle_difference_scaled;
+    made.axis_B = problem_.model.rotor.axis_B;
+    return std::make_shared<const RotorState<T>>(made);
   }
   /// Bound on the error of both attitudes in the last state.
   T attitude_error(T t) const { return attitude_error_ + turn_error<T>(t); }
@@ -125,8 +148,9 @@ class ExactPair {
   FollowedMotion followed_reference_;
   std::optional<FollowedMotion> followed_rotating_;
   std::optional<RateChange> change_;
-  Model<W> wide_model_;   ///< has only the Earth's rate and epsilon
-  W rate_scaled_ = W(0);  ///< the Earth's rate over epsilon
+  Model<W> wide_model_;            ///< has only the Earth's rate and epsilon
+  W rate_scaled_ = W(0);           ///< the Earth's rate over epsilon
+  RateChange::Value change_seen_;  ///< in the last state
   T attitude_error_ = T(0), deviation_error_ = T(0);
 };
 
@@ -178,6 +202,7 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
     sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
     sample.attitude_error = pair.attitude_error(exact_t);
     sample.drift_error = pair.drift_error(measures.attitude);
+    sample.rotor = pair.rotor(exact_t, state.ref_w_LB_B);
     sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);

@@ -26,6 +26,8 @@ class RateChange {
     W w = W(1);
     Vec3<W> v_over_lambda = Vec3<W>::Zero();
     W relative_error = W(0);  ///< of v_over_lambda: that stated by the closed forms, and the orders left out
+    /// With a rotor, of the turn about its body axis and of the rate about it.
+    W turn_over_lambda = W(0), rate_over_lambda = W(0);
   };
 
   /// @param lambda  not 0   @param first_time  the first one asked for, above 0
@@ -52,6 +54,14 @@ class RateChange {
         value.v_over_lambda = (odd + (lambda_ / a_) * even) / a_;
         const W v = lambda_ * norm(value.v_over_lambda);
         value.w = real::sqrt((W(1) - v) * (W(1) + v));
+        if (has_rotor()) {
+          const Axial ref_axial = axial(reference_, ref, t);
+          const Axial p = axial(*plus_, plus, t).minus(ref_axial), m = axial(*minus_, minus, t).minus(ref_axial);
+          const auto change = [&](const W& of_plus, const W& of_minus) {
+            return W(((of_plus - of_minus) / W(2) + (lambda_ / a_) * ((of_plus + of_minus) / W(2))) / a_);
+          };
+          value.turn_over_lambda = change(p.turn, m.turn), value.rate_over_lambda = change(p.rate, m.rate);
+        }
         value.relative_error = ratio(stated, norm(odd)) + size * size + second_order * second_order + start_rounding(a_);
         return value;
       }
@@ -60,14 +70,31 @@ class RateChange {
     const ClosedFormState<W> rot = plus_->at(t);
     Quaternion<W> d = with_sign_of(near_rot, rot.q_NB) * with_sign_of(near_ref, ref.q_NB).conjugate();
     const W size = real::hypot(d.w, norm(d.v));
-    return {d.w / size, d.v / (size * lambda_),
-            ratio(rot.attitude_error + ref.attitude_error, norm(d.v)) + start_rounding(lambda_)};
+    Value value{d.w / size, d.v / (size * lambda_),
+                ratio(rot.attitude_error + ref.attitude_error, norm(d.v)) + start_rounding(lambda_)};
+    if (has_rotor()) {
+      const Axial change = axial(*plus_, rot, t).minus(axial(reference_, ref, t));
+      value.turn_over_lambda = change.turn / lambda_, value.rate_over_lambda = change.rate / lambda_;
+    }
+    return value;
   }
+
+  const Vec3<W>& direction_B() const { return u_B_; }  ///< u
 
  private:
   static constexpr double kLargest = 1e-11;
   static constexpr double kLargestSecond = 1e-10;  ///< largest ratio of the even part of d to the odd one
   static constexpr double kShrink = 32;
+
+  bool has_rotor() const { return body_.rotor.axis >= 0; }
+  /// The turn and the rate about the body axis of a rotor.
+  struct Axial {
+    W turn, rate;
+    Axial minus(const Axial& other) const { return {turn - other.turn, rate - other.rate}; }
+  };
+  Axial axial(const ExactMotion<W>& motion, const ClosedFormState<W>& state, W t) const {
+    return {motion.axial_turn(t).angle, state.w_NB_B[body_.rotor.axis]};
+  }
 
   /// Whether the change lambda itself is large enough for a plain difference, and `a` is not used.
   bool is_direct() const { return a_ <= W(4) * real::abs(lambda_); }
@@ -86,8 +113,10 @@ class RateChange {
     const Quaternion<W> d = x.q_NB * ref.q_NB.conjugate();
     return d.w < W(0) ? Quaternion<W>{-d.w, -d.v} : d;
   }
-  /// The relative error of the change that comes from rounding the changed rate.
-  W start_rounding(W change) const { return real::epsilon<W>() * norm(w0_B_) / real::abs(change); }
+  /// The relative error of the change that comes from rounding the changed rate, and with it a rotor's momentum.
+  W start_rounding(W change) const {
+    return real::epsilon<W>() * (norm(w0_B_) + real::abs(body_.rotor.spin)) / real::abs(change);
+  }
   static W ratio(W error, W size) { return size > W(0) ? error / size : error > W(0) ? W(1) : W(0); }
 
   ExactBody<W> body_;

@@ -41,6 +41,10 @@ MethodChoice RotorLaws::choose_method(const Scene& scene) const {
   if (options.method == Method::taylor) return {options, "asked for"};
   if (options.method != Method::automatic || scene.scenario().precision != Precision::bits53)
     return PivotLaws::choose_method(scene);
+  if (options.observer == Observer::laboratory && options.form != ModelForm::general && has_cheap_closed_form(scene)) {
+    options.method = Method::closed_form;
+    return {options, "the motion is known in closed form"};
+  }
   options.method = Method::taylor;
   if (options.form == ModelForm::general || options.observer != Observer::laboratory)
     return {options, "Taylor series of the equations of the observer asked for"};

@@ -45,7 +45,7 @@ double slowness(Precision precision, bool in_vectors) {
 
 /// Returns the time (s) of one evaluation, as counted in the work of the method.
 double seconds_an_evaluation(const Scene& scene, const IntegrationOptions& options) {
-  if (options.method == Method::closed_form) return 5e-7;
+  if (options.method == Method::closed_form) return scene.support().has_rotor ? 1e-5 : 5e-7;
   const bool in_vectors = options.method == Method::taylor && !scene.support().has_contact;
   return slowness(scene.scenario().precision, in_vectors) * laws_of(scene).evaluation_seconds(scene, options);
 }

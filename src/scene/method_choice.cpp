@@ -33,10 +33,6 @@ double seconds_with(const Scene& scene, const IntegrationOptions& options) {
   return scene.cost(options).seconds + scene.cost(second_options(scene, options)).seconds;
 }
 
-/// Returns whether a closed form is cheap. It is if the two motions differ only by a turn of the laboratory; otherwise their
-/// difference has to be evaluated in 113 bits.
-bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
-
 /// Returns whether the long-horizon method pays. Its bound was 16 to 100,000 times as wide as that of a series, over 20 gyroscopes: so
 /// the run has to be several times as fast, with its looks, which a series has for nothing; and its error a small part of the drift, as
 /// predicted. The number of output rows has no part in it: they change no digit of a series.
@@ -54,6 +50,8 @@ bool has_long_horizon(const Scene& given) {
 }
 
 }  // namespace
+
+bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
 
 MethodChoice PivotLaws::choose_method(const Scene& scene) const {
   const Scenario& scenario = scene.scenario();

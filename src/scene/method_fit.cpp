@@ -25,21 +25,36 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
 
 /// Refuses a scene that is not plain. Closed forms, and the methods with exact flows between kicks, hold only for the three
 /// torques of [F] and a pivot at rest.
-std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene) {
+std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene, bool also_with_rotor = false) {
   const std::string what = quoted(word) + ' ';
-  if (const std::string_view reason = scene.support().no_exact_motion; !reason.empty()) return what + std::string(reason);
+  if (const std::string_view reason = scene.support().no_exact_motion;
+      !reason.empty() && !(also_with_rotor && scene.support().has_rotor))
+    return what + std::string(reason);
   if (auto reason = need_all_torques(word, scene)) return reason;
-  if (!scene.is_plain())
+  if (!scene.scenario().effects.plain())
     return what + "works only with gravity and the Earth's rotation; take \"auto\", or leave the other effects out";
   return std::nullopt;
 }
 
 std::optional<std::string> need_closed_form(std::string_view word, const Scene& scene) {
-  if (auto reason = need_plain_scene(word, scene)) return reason;
+  if (auto reason = need_plain_scene(word, scene, true)) return reason;
   switch (scene.closed_form_kind()) {
     case ExactKind::free_body:
     case ExactKind::symmetric_top:
+    case ExactKind::free_gyrostat:
     case ExactKind::not_plain: break;
+    case ExactKind::heavy_gyrostat:
+      return "under the torque of gravity a body with a rotor has no closed form; take \"auto\", or put the centre of mass of "
+             "both at the pivot, or gravity to 0";
+    case ExactKind::braked_rotor:
+      return "friction in the rotor's bearing leaves no closed form; take \"auto\", or leave the friction out";
+    case ExactKind::changing_rotor:
+      return "a motor that changes the rotor's rate leaves no closed form; take \"auto\", or the drive \"constant\" or "
+             "\"none\"";
+    case ExactKind::skew_rotor:
+      return "a body with a rotor has a closed form here only if the rotor turns about body axis 1, 2 or 3 and this axis has "
+             "no "
+             "products of inertia (in any other direction the rates need the roots of a general quartic); take \"auto\"";
     case ExactKind::not_symmetric:
       return "under gravity only a symmetric top with its centre of mass on the axis of symmetry has a closed form; take "
              "\"auto\", or make two moments equal";
@@ -111,7 +126,8 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
 }
 
 ExactKind closed_form_of(const Scene& scene) {
-  return scene.is_plain() ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
+  const bool may_be_exact = scene.is_plain() || (scene.support().has_rotor && scene.scenario().effects.plain());
+  return may_be_exact ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
 }
 
 std::optional<std::string> refuse_method(Method method, const Scene& scene) {

@@ -81,6 +81,10 @@ struct TableLaws final : PivotLaws {
 
 const PivotLaws& laws_of(const Scene& scene);
 
+/// Returns whether a closed form is cheap. It is if the two motions differ only by a turn of the laboratory; otherwise their
+/// difference has to be evaluated in 113 bits.
+bool has_cheap_closed_form(const Scene& scene);
+
 /// The laws by which the parts are made that each precision has for itself.
 template <class T>
 struct LawsIn {

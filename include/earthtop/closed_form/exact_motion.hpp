@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Decides whether the whole motion of a model has a closed form, and gives that motion in inertial axes: one interface to the
-/// free body and the heavy symmetric top.
+/// free body, the heavy symmetric top and the free gyrostat.
 #pragma once
 
 #include <variant>
 
 #include "earthtop/closed_form/exact_kind.hpp"
 #include "earthtop/closed_form/free_body.hpp"
+#include "earthtop/closed_form/free_gyrostat.hpp"
 #include "earthtop/closed_form/lagrange_top.hpp"
 #include "earthtop/model/converted.hpp"
 #include "earthtop/model/reduced_top.hpp"
@@ -19,6 +20,21 @@ extern template ExactKind exact_kind(const Model<double>&);
 extern template ExactKind exact_kind(const Model<long double>&);
 extern template ExactKind exact_kind(const Model<float128>&);
 
+/// A rotor on a body axis, whose momentum along plus this axis stays what it is at the start.
+template <class T>
+struct ExactRotor {
+  int axis = -1;        ///< of the body; -1 without a rotor
+  bool driven = false;  ///< whether a motor keeps its rate
+  T axial = T(0);       ///< its moment of inertia about the axis
+  T sign = T(1);        ///< 1 if its axis is plus the body's, else -1
+  T spin = T(0);        ///< its rate relative to the body at the start
+  EARTHTOP_MEMBERS(axis, driven, axial, sign, spin)
+
+  T momentum(const Vec3<T>& w0_B) const { return axial * ((driven ? T(0) : w0_B[axis]) + sign * spin); }
+  /// The rate relative to the body where the body's rate has changed by a difference; and so the angle from the difference of turns.
+  T minus_body(const T& difference) const { return driven ? T(0) : T(-sign * difference); }
+};
+
 /// The parameters of a model on which its motion depends, in the model's units.
 template <class T>
 struct ExactBody {
@@ -27,7 +43,8 @@ struct ExactBody {
   Mat3<T> I_BP_B_inverse;  ///< its inverse
   int axis = -1;           ///< the body axis of symmetry, -1 if there is none
   SymmetricTop<T> top;     ///< only for ExactKind::symmetric_top
-  EARTHTOP_MEMBERS(kind, I_BP_B, I_BP_B_inverse, axis, top)
+  ExactRotor<T> rotor;     ///< only for ExactKind::free_gyrostat
+  EARTHTOP_MEMBERS(kind, I_BP_B, I_BP_B_inverse, axis, top, rotor)
 
   /// The same parameters in another scalar type.
   template <class To>
@@ -51,6 +68,8 @@ class ExactMotion {
   ExactMotion(const ExactBody<T>& body, const Quaternion<T>& q0_NB, const Vec3<T>& w0_IB_B);
 
   ClosedFormState<T> at(T t) const;
+  /// Of a body with a rotor: how far it has turned about the body axis of the rotor.
+  AxialTurn<T> axial_turn(T t) const { return std::get<FreeGyrostat<T>>(motion_).axial_turn(t); }
 
   /// The attitude with the spin about body axis 3 removed if that is the axis of symmetry, else the attitude itself. It turns
   /// slowly enough to be followed in steps when the sign of the quaternion must stay continuous.
@@ -59,7 +78,7 @@ class ExactMotion {
   T turn_rate() const { return turn_rate_; }
 
  private:
-  std::variant<FreeBody<T>, LagrangeTop<T>> motion_;
+  std::variant<FreeBody<T>, LagrangeTop<T>, FreeGyrostat<T>> motion_;
   Quaternion<T> q_BP_;  ///< P are axes whose axis 3 is the axis of symmetry
   int axis_;
   T spin_ = T(0);  ///< rate about body axis 3, if the top is symmetric about it; else 0
