@@ -161,6 +161,105 @@ TEST(Gyrostat, KeepsWhatItConserves) {
 /// The rows in double against 113 bits in the equations of another observer.
 TEST(Gyrostat, ErrorsAreWithinTheirBounds) { testing::expect_bounds_of_gyrostats(52, 2); }
 
+/// A balanced body with a rotor on one of its axes, free or at a constant rate, whose motion has a closed form.
+std::vector<Scenario> free_gyrostats() {
+  std::vector<Scenario> all;
+  for (int i = 0; i < 8; ++i) {
+    Scenario s = caged_gyroscope();
+    s.site.gravity_m_s2 = 0;
+    s.body.center_of_mass_m = s.rotor->center_m = {0, 0, 0};
+    s.body.mass_kg = 0.2, s.rotor->mass_kg = 0.1;
+    testing::set_principal(s.body, 2e-4, 3e-4, 2.5e-4);
+    s.rotor->axial_kg_m2 = 4e-5, s.rotor->transverse_kg_m2 = 2.5e-5, s.rotor->spin_rad_s = i < 4 ? 8 : -3;
+    s.rotor->axis = {0, 0, 0};
+    s.rotor->axis[static_cast<std::size_t>(i % 3)] = i % 2 == 0 ? 2 : -1;
+    if (i >= 4) s.rotor->drive = RotorDrive::constant;
+    s.release.angular_velocity_body_rad_s = {1, 0.5, 2};
+    if (i % 4 < 2) s.release.rates_relative_to = RatesRelativeTo::inertial;
+    s.rotation_rate_rad_s = i % 2 == 0 ? 7.292115e-5 : 0.05;
+    s.duration_s = 2, s.output_step_s = 0.5;
+    all.push_back(s);
+  }
+  return all;
+}
+
+/// Two derivations of one motion: formulas, and the equations of motion in double and, of every third scene, in 113 bits.
+TEST(Gyrostat, ClosedFormAgreesWithTheIntegration) {
+  int scene = 0;
+  for (Scenario s : free_gyrostats()) {
+    s.numerics.method = Method::taylor;
+    const RunResult integrated = run(s);
+    s.numerics.method = Method::closed_form;
+    const RunResult exact = run(s);
+    ASSERT_EQ(exact.rows.size(), integrated.rows.size());
+    for (std::size_t i = 0; i < exact.rows.size(); ++i) {
+      const DriftRow &a = exact.rows[i], &b = integrated.rows[i];
+      const double attitude = exact.attitude_bound_rad + integrated.attitude_bound_rad;
+      EXPECT_LE(quaternions_apart(a.q_LB, b.q_LB), attitude);
+      EXPECT_LE(quaternions_apart(a.ref_q_LB, b.ref_q_LB), attitude);
+      EXPECT_NEAR(a.drift_axis_rad, b.drift_axis_rad, a.drift_axis_bound_rad + b.drift_axis_bound_rad);
+      EXPECT_NEAR(a.drift_attitude_rad, b.drift_attitude_rad, a.drift_attitude_bound_rad + b.drift_attitude_bound_rad);
+      EXPECT_LE(components_apart(a.rotor->axis_L, b.rotor->axis_L), attitude);
+      EXPECT_LE(components_apart(a.rotor->ref_axis_L, b.rotor->ref_axis_L), attitude);
+      EXPECT_NEAR(a.rotor->drift_axis_rad, b.rotor->drift_axis_rad,
+                  a.rotor->drift_axis_bound_rad + b.rotor->drift_axis_bound_rad);
+      EXPECT_NEAR(a.rotor->rate_rad_s, b.rotor->rate_rad_s, 1e-11);          // of rates and angles, of 8 and 40
+      EXPECT_NEAR(a.rotor->ref_rate_rad_s, b.rotor->ref_rate_rad_s, 1e-11);  // of rates and angles, see above
+      EXPECT_NEAR(a.rotor->angle_rad, b.rotor->angle_rad, 1e-11);            // of rates and angles, see above
+      EXPECT_NEAR(a.rotor->ref_angle_rad, b.rotor->ref_angle_rad, 1e-11);    // of rates and angles, see above
+      // In double to 1e-12 of the Earth's rate, and of the angle by which it turns.
+      EXPECT_NEAR(a.rotor->drift_rate_rad_s, b.rotor->drift_rate_rad_s, 1e-11 * s.rotation_rate_rad_s);
+      EXPECT_NEAR(a.rotor->drift_angle_rad, b.rotor->drift_angle_rad, 1e-11 * s.rotation_rate_rad_s);  // see above
+    }
+    EXPECT_LT(exact.attitude_bound_rad,
+              1e-12);  // of the rounding of the given numbers, which the bound follows through the motion
+    if (scene++ % 3 != 0) continue;
+    const auto truth = testing::reference_run(s, Observer::inertial, 1e-18);
+    EXPECT_GE(testing::compare(exact, truth).least_margin, 1);
+    for (std::size_t i = 0; i < exact.rows.size(); ++i) {
+      const RotorState<float128>& rotor = *truth.samples[i].rotor;
+      const double difference = static_cast<double>(truth.samples[i].state.epsilon * rotor.angle_difference_scaled);
+      EXPECT_NEAR(exact.rows[i].rotor->angle_rad, static_cast<double>(rotor.angle), 20 * 1e-15);     // some roundings of 16 rad
+      EXPECT_NEAR(exact.rows[i].rotor->drift_angle_rad, difference, 1e-13 * s.rotation_rate_rad_s);  // some of the Earth's turn
+    }
+  }
+}
+
+TEST(Gyrostat, ClosedFormIsTakenWhereOneMotionIsTheOtherTurned) {
+  for (const Scenario& s : free_gyrostats()) {
+    const bool one = s.release.rates_relative_to == RatesRelativeTo::inertial;
+    EXPECT_EQ(Scene(s).choice().options.method, one ? Method::closed_form : Method::taylor);
+  }
+}
+
+TEST(Gyrostat, ClosedFormIsRefusedWithItsReason) {
+  const auto reason = [](const auto& change) {
+    Scenario s = free_gyrostats().front();
+    change(s);
+    return Scene(s).method_refusal(Method::closed_form).value_or("");
+  };
+  EXPECT_EQ(reason([](Scenario&) {}), "");
+  EXPECT_EQ(reason([](Scenario& s) { s.site.gravity_m_s2 = 9.8; }), "");  // the centre of mass is at the pivot
+  EXPECT_EQ(
+      reason([](Scenario& s) {
+        s.site.gravity_m_s2 = 9.8, s.rotor->center_m = {0, 0, 0.01};
+      }),
+      "under the torque of gravity a body with a rotor has no closed form; take \"auto\", or put the centre of mass of both at "
+      "the pivot, or gravity to 0");
+  EXPECT_EQ(reason([](Scenario& s) { s.rotor->viscous_torque_N_m_s = 1e-6; }),
+            "friction in the rotor's bearing leaves no closed form; take \"auto\", or leave the friction out");
+  EXPECT_EQ(
+      reason([](Scenario& s) { s.rotor->drive = RotorDrive::ramp, s.rotor->acceleration_rad_s2 = 1; }),
+      "a motor that changes the rotor's rate leaves no closed form; take \"auto\", or the drive \"constant\" or \"none\"");
+  EXPECT_EQ(reason([](Scenario& s) {
+              s.rotor->axis = {1e-9, 0, 1};
+            }),
+            "a body with a rotor has a closed form here only if the rotor turns about body axis 1, 2 or 3 and this axis has no "
+            "products of inertia (in any other direction the rates need the roots of a general quartic); take \"auto\"");
+  EXPECT_EQ(reason([](Scenario& s) { s.effects.applied.viscous_N_m_s = 1e-6; }),
+            "\"closed_form\" works only with gravity and the Earth's rotation; take \"auto\", or leave the other effects out");
+}
+
 TEST(Gyrostat, TellsOfItsFigures) {
   const Scene caged(caged_gyroscope()), whole(by_general_model(caged_gyroscope()));
   EXPECT_EQ(caged.top().spin_rad_s, 0);
