@@ -114,7 +114,8 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
     cost.work = estimated_work(scene.pace(), options, scene.form(options) == ModelForm::reduced);
   cost.seconds = seconds_an_evaluation(scene, options) * cost.work.evaluations;
   // Unless the two motions differ only by a turn of the laboratory, the drift of a closed form is evaluated in 113 bits.
-  if (closed_form) cost.seconds += (scene.is_one_motion() ? 1e-6 : 1e-4) * scene.rows();
+  const double wide = scene.support().has_rotor ? 1e-3 : 1e-4;
+  if (closed_form) cost.seconds += (scene.is_one_motion() ? 1e-6 : wide) * scene.rows();
   return cost;
 }
 
