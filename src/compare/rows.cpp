@@ -162,6 +162,10 @@ double errors_of(const Measure& measure, const BoundColumns& columns, const Rows
     case BoundKind::none: return -1;
     case BoundKind::drift_axis: return sum_of(columns.axis, a, b);
     case BoundKind::drift_attitude: return sum_of(columns.attitude, a, b);
+    case BoundKind::drift_rates: {
+      const double sum = sum_of(columns.attitude, a, b);
+      return sum < 0 ? -1 : rate * sum;
+    }
     case BoundKind::drift_tip: return sum_of(columns.tip, a, b);
     case BoundKind::drift_tilt:
     case BoundKind::drift_azimuth: {

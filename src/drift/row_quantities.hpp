@@ -34,6 +34,7 @@ enum class BoundKind {
   drift_tilt,      ///< the same, plus the effect of an error of both axes on the drift's direction
   drift_azimuth,   ///< the bound of drift_tilt divided by the sine of the tilt
   drift_attitude,  ///< drift_attitude_bound_rad of the row
+  drift_rates,     ///< the same, times the motion's fastest rate
   drift_tip,       ///< drift_tip_bound_m of the row
   attitude,        ///< attitude_bound_rad of the summary
   rates            ///< attitude_bound_rad of the summary, times the motion's fastest rate
@@ -320,11 +321,11 @@ constexpr void for_each_rotor_quantity(const Visit& visit) {
   visit_one(
       [](auto& r) -> auto& { return r.drift_rate_rad_s; },
       Q{"drift_rotor_rate", "_rad_s", "rate of the rotor relative to the body, rotating minus prediction", number, drift,
-        "drift_rotor_rate_rad_s", Bound::none, "drift_rotor_rate_rad_s"});
+        "drift_rotor_rate_rad_s", Bound::drift_rates, "drift_rotor_rate_rad_s"});
   visit_one(
       [](auto& r) -> auto& { return r.drift_angle_rad; },
       Q{"drift_rotor_angle", "_rad", "angle of the rotor in the body, rotating minus prediction; continuous", number, drift,
-        "drift_rotor_angle_rad", Bound::none, "drift_rotor_angle_rad"});
+        "drift_rotor_angle_rad", Bound::drift_attitude, "drift_rotor_angle_rad"});
   visit_one(
       [](auto& r) -> auto& { return r.drift_axis_rad; },
       Q{"drift_rotor_axis", "_rad", "angle between the rotor's two axes", number, drift, "drift_rotor_axis_rad",

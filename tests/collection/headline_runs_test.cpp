@@ -34,6 +34,8 @@ void expect_generated_drifts(const RunResult& result) {
     EXPECT_LE(std::abs(contact.drift_tip_xy_m[0] - generated.at("drift_tip_x_m")), contact.drift_tip_bound_m);
     EXPECT_LE(std::abs(contact.drift_tip_xy_m[1] - generated.at("drift_tip_y_m")), contact.drift_tip_bound_m);
   }
+  if (row->rotor)
+    EXPECT_LE(std::abs(row->rotor->drift_axis_rad - generated.at("drift_rotor_axis_rad")), row->rotor->drift_axis_bound_rad);
   // Azimuth, tilt and spin have no bounds of their own; the attitude's error appears in them divided by sin(tilt).
   const double sine = std::max(1e-3, std::hypot(row->axis_L[0], row->axis_L[1]));
   for (const Column& column : trajectory_columns()) {

@@ -56,6 +56,17 @@ Columns DriftMeasures::columns(const Motion& rotating, const Motion& reference) 
   add("drift_tilt_rad", tilt(n) - tilt(m));
   add("drift_attitude_rad", 2 * atan2q(norm(e.v), fabsq(e.w)));
   add("drift_spin_rad", half_spin ? std::optional(2 * *half_spin) : std::nullopt);
+  if (rotating.has_rotor()) {
+    for (const auto& [prefix, motion] : {std::pair("", &rotating), std::pair("ref_", &reference)}) {
+      add(std::string(prefix) + "rotor_rate_rad_s", motion->rotor_rate());
+      add(std::string(prefix) + "rotor_angle_rad", motion->state().rotor_angle);
+      add_vector(std::string(prefix) + "rotor_axis_L_", motion->rotor_axis_L(), "");
+    }
+    const Vec a = rotating.rotor_axis_L(), b = reference.rotor_axis_L();
+    add("drift_rotor_rate_rad_s", rotating.rotor_rate() - reference.rotor_rate());
+    add("drift_rotor_angle_rad", rotating.state().rotor_angle - reference.state().rotor_angle);
+    add("drift_rotor_axis_rad", atan2q(norm(cross(b, a)), dot(b, a)));
+  }
   if (!rotating.on_table()) return columns;
   const Vec tip = rotating.tip_L(), ref_tip = reference.tip_L(), drift = tip - ref_tip;
   add("tip_L_x_m", tip.x), add("tip_L_y_m", tip.y), add("ref_tip_L_x_m", ref_tip.x), add("ref_tip_L_y_m", ref_tip.y);

@@ -43,7 +43,12 @@ Jet platform_angle(const Platform& platform, Real t) {
 
 /// a + s b
 State sum(const State& a, Real s, const State& b) {
-  return {{a.q_IB.w + s * b.q_IB.w, a.q_IB.v + s * b.q_IB.v}, a.L_I + s * b.L_I, a.X_I + s * b.X_I, a.V_I + s * b.V_I};
+  return {{a.q_IB.w + s * b.q_IB.w, a.q_IB.v + s * b.q_IB.v},
+          a.L_I + s * b.L_I,
+          a.X_I + s * b.X_I,
+          a.V_I + s * b.V_I,
+          a.rotor_momentum + s * b.rotor_momentum,
+          a.rotor_angle + s * b.rotor_angle};
 }
 
 constexpr int kColumns = 16;  // of the extrapolation: its order is 32
@@ -55,6 +60,11 @@ Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(r
   Vec w_IB_B = scene.w_XB_B;
   if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
   state_ = {scene.q_LB, R_LB * (scene.inertia * w_IB_B), {}, {}};
+  if (scene.rotor) {
+    const Rotor& rotor = *scene.rotor;
+    state_.rotor_momentum = rotor.axial * (dot(rotor.axis, w_IB_B) + rotor.spin);
+    state_.L_I += state_.rotor_momentum * (R_LB * rotor.axis);
+  }
   if (!scene.contact) return;
   const Vec up{0, 0, 1}, W = rate_ * scene.celestial_axis, w = R_LB * w_IB_B, r_c = R_LB * scene.centre;
   const Vec tip = scene.contact->tip_radius * up;
@@ -79,7 +89,13 @@ Vec Motion::falling_I(Real t) const {
 }
 
 Vec Motion::angular_velocity(const State& state) const {
-  return scene_->inverse_inertia * (transposed(matrix(state.q_IB)) * state.L_I);
+  Vec L_B = transposed(matrix(state.q_IB)) * state.L_I;
+  if (scene_->rotor) L_B = L_B - state.rotor_momentum * scene_->rotor->axis;
+  return scene_->inverse_inertia * L_B;
+}
+
+Real Motion::rotor_rate(const State& state) const {
+  return state.rotor_momentum / scene_->rotor->axial - dot(scene_->rotor->axis, angular_velocity(state));
 }
 
 Vec Motion::tip_L() const {
@@ -90,8 +106,12 @@ Vec Motion::tip_L() const {
 State Motion::slope(Real t, const State& state) const {
   if (scene_->contact) return slope_on_table(t, state);
   const Mat R_IB = matrix(state.q_IB);
-  const Vec w_IB_B = scene_->inverse_inertia * (transposed(R_IB) * state.L_I);
-  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(R_IB * scene_->mass_moment, falling_I(t)), {}, {}};
+  State slope{
+      state.q_IB * Quat{0, Real(0.5) * angular_velocity(state)}, cross(R_IB * scene_->mass_moment, falling_I(t)), {}, {}};
+  if (!scene_->rotor) return slope;
+  slope.rotor_angle = rotor_rate(state);
+  slope.rotor_momentum = -scene_->rotor->viscous * slope.rotor_angle;
+  return slope;
 }
 
 Real Motion::try_step(Real step, Real scale, State& result) const {
@@ -117,7 +137,8 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
   // The difference of the last two columns of the last row, of orders 32 and 30, estimates the error.
   result = row[kColumns - 1];
   const State error = sum(result, -1, row[kColumns - 2]);
-  return fmaxq(fmaxq(sqrtq(squared_norm(error.q_IB)), norm(error.L_I) / scale), fmaxq(norm(error.X_I), norm(error.V_I)));
+  const Real of_momenta = fmaxq(norm(error.L_I), fabsq(error.rotor_momentum)) / scale;
+  return fmaxq(fmaxq(sqrtq(squared_norm(error.q_IB)), of_momenta), fmaxq(norm(error.X_I), norm(error.V_I)));
 }
 
 Quat Motion::q_LB() const { return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB); }

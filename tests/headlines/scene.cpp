@@ -45,7 +45,40 @@ void read_body(const Json& body, Scene& scene) {
   const bool about_centre = inertia.value("about", "pivot") == "center_of_mass";
   if (about_centre != scene.contact.has_value())
     add_point_mass(about_centre ? scene.mass : -scene.mass, scene.centre, scene.inertia);
-  scene.inverse_inertia = inverse(scene.inertia);
+}
+
+/// Adds the rotor's mass and transverse moment to the body's.
+void read_rotor(const Json& json, const std::string& file, Scene& scene) {
+  Rotor rotor;
+  Vec axis{0, 0, 1}, centre;
+  Real mass = 0, transverse = 0;
+  for (const auto& [key, value] : json.items()) {
+    if (key == "mass_kg")
+      mass = value.get<double>();
+    else if (key == "axial_kg_m2")
+      rotor.axial = value.get<double>();
+    else if (key == "transverse_kg_m2")
+      transverse = value.get<double>();
+    else if (key == "axis")
+      axis = vector(value);
+    else if (key == "center_m")
+      centre = vector(value);
+    else if (key == "spin_rad_s")
+      rotor.spin = value.get<double>();
+    else if (key == "viscous_torque_N_m_s")
+      rotor.viscous = value.get<double>();
+    else
+      throw std::runtime_error(file + ": the rotor's " + key + " is beyond this program");
+  }
+  rotor.axis = (1 / norm(axis)) * axis;
+  const Vec& c = rotor.axis;
+  scene.inertia.a += transverse * (Vec{1, 0, 0} - c.x * c);
+  scene.inertia.b += transverse * (Vec{0, 1, 0} - c.y * c);
+  scene.inertia.c += transverse * (Vec{0, 0, 1} - c.z * c);
+  add_point_mass(mass, centre, scene.inertia);
+  scene.mass += mass;
+  scene.mass_moment += mass * centre;
+  scene.rotor = rotor;
 }
 
 Quat release_attitude(const Json& release) {
@@ -76,14 +109,14 @@ void read_release(const Json& release, Scene& scene) {
     scene.w_XB_B = vector(release.at("angular_velocity_body_rad_s"));
     return;
   }
-  const Real spin = release.at("spin_rad_s").get<double>();
+  const Real spin = scene.rotor ? release.value("spin_rad_s", 0.0) : release.at("spin_rad_s").get<double>();
   const Vec up_B = matrix(scene.q_LB).c;
   const Json precession = release.value("precession", Json("none"));
   Real rate = 0;
   if (precession.is_object())
     rate = precession.at("rate_rad_s").get<double>();
-  else if (precession != "none" && scene.contact)
-    throw std::runtime_error("steady precession on a table is beyond this program");
+  else if (precession != "none" && (scene.contact || scene.rotor))
+    throw std::runtime_error("steady precession on a table or with a rotor is beyond this program");
   else if (precession != "none")
     rate = steady_rate(scene, spin, up_B.z, precession == "steady_fast");
   scene.w_XB_B = {rate * up_B.x, rate * up_B.y, spin};  // spin_rad_s is the whole component along axis 3
@@ -133,6 +166,8 @@ Scene read_scene(const std::string& file) {
   read_site(json, scene);
   if (json.contains("contact")) read_contact(json.at("contact"), file, scene);
   read_body(json.at("body"), scene);
+  if (json.contains("rotor")) read_rotor(json.at("rotor"), file, scene);
+  scene.inverse_inertia = inverse(scene.inertia);
   read_release(json.at("release"), scene);
   if (json.contains("platform")) read_platform(json.at("platform"), scene);
   scene.duration = json.at("motion").at("duration_s").get<double>();

@@ -26,13 +26,21 @@ struct Contact {
   bool released_rolling = false;  ///< else the tip's centre is released at rest
 };
 
+/// A symmetric rotor that turns about an axis of the body, free but for viscous friction in its bearing.
+struct Rotor {
+  Vec axis;          ///< unit, body axes
+  Real axial = 0;    ///< moment about the axis (kg m^2)
+  Real viscous = 0;  ///< torque of the bearing over the rate (N m s)
+  Real spin = 0;     ///< rate relative to the body at the release (rad/s)
+};
+
 struct Scene {
   std::string name;
   // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
   Vec celestial_axis;      ///< unit, laboratory axes
   Real rotation_rate = 0;  ///< rad/s
   Real gravity = 0;        ///< apparent, along -Up (m/s^2)
-  // Body.
+  // Body; with a rotor that of both, without the rotor's axial moment.
   Real mass = 0;    ///< kg
   Vec centre;       ///< centre of mass, body axes (m)
   Vec mass_moment;  ///< mass x centre of mass, body axes (kg m)
@@ -44,6 +52,7 @@ struct Scene {
   bool inertial_rates = false;  ///< rates are given relative to inertial space (X = I), else to the laboratory (X = L)
   std::optional<Platform> platform;
   std::optional<Contact> contact;
+  std::optional<Rotor> rotor;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 };

@@ -675,5 +675,22 @@ OF_STORES = [
              options="--allow-change /"),
 ]
 
+# Two methods agree within the bounds on the rotor's drift; another spin is told by the rotor's own names.
+ROTOR_RUNS = ["run s.json --out old --quiet", "run s.json --set {} --out new --quiet", "compare old new --allow-change / --all"]
+
+
+def rotor_runs(change):
+    return [ROTOR_RUNS[0], ROTOR_RUNS[1].format(change), ROTOR_RUNS[2]]
+
+
+OF_ROTORS = [
+    Case(rotor_runs("/numerics/method=rkf78"), ["same: new against old", "drift_rotor_rate_rad_s", "drift_rotor_angle_rad"],
+         scenario="hard/g02-general-cage"),
+    Case(rotor_runs("/rotor/spin_rad_s=301"),
+         ["FAILED rotor_rate_rad_s", "FAILED ref_rotor_angle_rad", "FAILED drift_rotor_axis_rad", "FAILED top.rotor_spin_rad_s"],
+         scenario="hard/g02-general-cage", status=1),
+]
+
 CASES = [*OF_REFERENCES, *OF_PATHS, *OF_SCENARIOS, *OF_CONCLUSIONS, *OF_HINTS, *OF_PICTURES, *OF_CHANGES, *OF_FIGURES,
-         *OF_MAPPINGS, *OF_TOLERANCES, *OF_ROWS, *OF_ORIGINS, *OF_UPDATES, *OF_OPTIONS, *OF_STORES]
+         *OF_MAPPINGS, *OF_TOLERANCES, *OF_ROWS, *OF_ORIGINS, *OF_UPDATES, *OF_OPTIONS, *OF_STORES,
+         *OF_ROTORS]
