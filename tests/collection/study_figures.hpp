@@ -21,8 +21,8 @@ enum class StudyLength { moments, seconds, minutes };
 inline StudyLength length_of(const std::string& study) {
   for (const char* name : {"gyrocompass", "gyrocompass-settles"})
     if (study == name) return StudyLength::minutes;
-  for (const char* name :
-       {"bob-spin", "lecture-gyro-sensitivity", "matching-rule", "platform-resonance", "precession-axis", "torques-apart"})
+  for (const char* name : {"bearing-friction", "bob-spin", "lecture-gyro-sensitivity", "matching-rule", "platform-resonance",
+                           "precession-axis", "torques-apart"})
     if (study == name) return StudyLength::seconds;
   return StudyLength::moments;
 }
