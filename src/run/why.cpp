@@ -175,6 +175,7 @@ void why::tell_on_pivot(Told& told) {
     if (told.theory->name == "free_gyro_axis_drift") tell_free_gyroscope(told);
     if (told.theory->name == "sleeping_top_lean_south") tell_sleeping_top(told);
   }
+  tell_caged(told);
 }
 
 std::vector<WhySentence> why_sentences(const RunResult& result) {
@@ -182,7 +183,8 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
   const Scene& scene = result.modelled;
   if (result.status != RunStatus::completed || result.looks.size() < 3 || verdict.verdict != Verdict::reliable ||
       verdict.from_s || !verdict.intervals.empty() || scene.scenario().platform || scene.scenario().effects.tide ||
-      !scene.scenario().effects.all_on() || scene.symmetry_axis() != 2 || scene.rotation_rate_rad_s() == 0)
+      !scene.scenario().effects.all_on() || (scene.symmetry_axis() != 2 && !scene.support().has_rotor) ||
+      scene.rotation_rate_rad_s() == 0)
     return {};
   const Body<double>& body = scene.body<double>();
   why::Told told{result,

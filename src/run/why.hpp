@@ -10,8 +10,9 @@
 namespace earthtop {
 
 /// The sentences on a run whose rows, drift, verdict and theory are known: about a heavy top that precesses, a free gyroscope, a
-/// sleeping top, a pendulum that is released at rest, a gyrocompass without damping, or a ball or a sleeping top that rolls. There are none where first-order theory does
-/// not apply, or does not agree with the run, or where the verdict does not trust the whole run.
+/// sleeping top, a pendulum that is released at rest, a gyrocompass without damping, or a ball or a sleeping top that rolls: none where
+/// first-order theory does not apply, or does not agree with the run. And on what the bearing of a rotor does. There are none at all where the
+/// verdict does not trust the whole run.
 std::vector<WhySentence> why_sentences(const RunResult& result);
 
 /// The lean of the cone on which a top precesses, because the laboratory turns about North, too.

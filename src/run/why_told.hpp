@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/run.hpp"
 #include "earthtop/vectors.hpp"
@@ -43,11 +44,21 @@ struct Told {
 
 inline Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// The Coriolis torque (N m) at a look, as the ledger of the laboratory observer counts it.
-inline Vec3<double> coriolis_torque_L(const Told& told, const DriftRow& look) {
+/// The Coriolis torque (N m) that belongs to a velocity moment at a look.
+inline Vec3<double> coriolis_torque_L(const Told& told, const DriftRow& look, const Mat3<double>& J_B) {
   const Mat3<double> R_LB = rotation_matrix(Quaternion<double>{look.q_LB[0], {look.q_LB[1], look.q_LB[2], look.q_LB[3]}});
-  const Mat3<double> J_B = velocity_moment<double>(told.scene.model<double>().S_BP_B, vector(look.w_LB_B));
   return times(R_LB, coriolis_torque<double>(transposed_times(R_LB, told.W_L), J_B));
+}
+/// That of the rotor's turn in the body, which has a rotor.
+inline Vec3<double> coriolis_torque_on_rotor_L(const Told& told, const DriftRow& look) {
+  const Rotor<double> rotor = make_rotor<double>(*told.scene.scenario().rotor);
+  return coriolis_torque_L(told, look, spin_velocity_moment(rotor, look.rotor->rate_rad_s));
+}
+/// The whole Coriolis torque (N m) at a look, as the ledger of the laboratory observer counts it.
+inline Vec3<double> coriolis_torque_L(const Told& told, const DriftRow& look) {
+  const Mat3<double> J_B = velocity_moment<double>(told.scene.model<double>().S_BP_B, vector(look.w_LB_B));
+  const Vec3<double> of_body = coriolis_torque_L(told, look, J_B);
+  return look.rotor ? Vec3<double>(of_body + coriolis_torque_on_rotor_L(told, look)) : of_body;
 }
 
 /// The largest length that a vector has along the motion, between the looks, too.
@@ -101,6 +112,8 @@ void tell_free_gyroscope(Told& told);
 void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
+void tell_caged(Told& told);
+void tell_with_rotor(Told& told);
 void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
 

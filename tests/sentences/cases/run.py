@@ -407,6 +407,70 @@ WHY = [
 ]
 
 
+# -- why, with a rotor in the body
+
+C_ROTOR, I3_CAGE = 1.6e-5, 1.2e-5  # of the toy gyroscope
+
+
+def bearing_of_cage(text):
+    """What the rotor loses the cage gets, as the rows say, and the Coriolis torque is that of the momentum along the axis."""
+    last = rows(text)[-1]
+    rate, cage = number(text, "rate in its cage from 600 to"), number(text, "about the axis from 0 to")
+    return (near(rate, float(last["rotor_rate_rad_s"]), 1e-5) and near(cage, float(last["w_LB_B_z_rad_s"]), 1e-5) and
+            near(rate, 600 * math.exp(-1e-7 * 60 * (1 / C_ROTOR + 1 / I3_CAGE)), 1e-5) and
+            near(C_ROTOR * (rate + cage) + I3_CAGE * cage, C_ROTOR * 600, 1e-4) and
+            near(number(text, "the momentum along the axis,"), C_ROTOR * 600, 0.005) and
+            0.9 * C_ROTOR * 600 * OMEGA < number(text, "acts on the spinning top,") < 1.001 * C_ROTOR * 600 * OMEGA)
+
+
+def rotor_momentum(text):
+    """Of the row at the release: 8 rad/s of the rotor and 2 rad/s of the body, in space."""
+    return near(number(text, "its momentum about it stays"), 4e-5 * 10, 1e-5) and near(
+        float(rows(text)[-1]["rotor_rate_rad_s"]), number(text, "from 8 rad/s at the release to"), 1e-5)
+
+
+def inside(text):
+    """The torque on a momentum of 4e-5 times the largest rate is at most that times the Earth's rate."""
+    fastest = max(float(row["rotor_rate_rad_s"]) for row in rows(text))
+    found = number(text, "on the rotor's turn in the body alone it is")
+    return 0.5 * 4e-5 * fastest * OMEGA < found <= 1.005 * 4e-5 * fastest * OMEGA
+
+
+GENERAL = {"/numerics": {"model": "general"}, "/motion/duration_s": 2}
+WHY_ROTOR = [
+    Case(RUN, ["The bearing's friction changes the rotor's rate in its cage from 600 to 250.117 rad/s",
+               "As it acts along the axis of a symmetric cage, it leaves the momentum along the axis, 0.0096 kg m²/s, as it is",
+               "as that of a rigid top of the same moments that spins at 342.857 rad/s, and the drift does not depend on it"],
+         scenario="caged-gyroscope", page=ROWS, holds=bearing_of_cage, unless={"/rotor/viscous_torque_N_m_s": 0}),
+    Case(RUN, "The motor changes the rotor's rate in its cage from 600 to 660 rad/s", scenario="caged-gyroscope",
+         set={"/rotor/viscous_torque_N_m_s": None, "/rotor/drive": "ramp", "/rotor/acceleration_rad_s2": 1},
+         unless={"/rotor/acceleration_rad_s2": 2}),
+    Case(RUN, "The rotor turns at 300 rad/s in its symmetric cage, and the momentum along the axis is 0.0048 kg m²/s",
+         scenario="hard/g01-caged-toy-gyroscope", unless={"/rotor/spin_rad_s": 301}),
+    Case(RUN, ["a Coriolis torque acts on body and rotor,",
+               "Nothing acts on the rotor about its axis: in space, its momentum about it stays 0.0004 kg m²/s. Its rate in the "
+               "body changes as the body turns, from 8 rad/s at the release to 8.00459 rad/s at the end."],
+         scenario="hard/g06-free-gyrostat", page=ROWS, holds=lambda text: rotor_momentum(text) and inside(text),
+         unless={"/earth": {"rotation_rate_rad_s": 0}}),
+    Case(RUN, ["both predictions start with the same rates in space: there they are the same motion, whatever happens between "
+               "body and rotor", "by |Ω| t = 75.20533438″, and by 75.20533438″ in this run"], scenario="hard/g06-free-gyrostat",
+         set={"/rotor/viscous_torque_N_m_s": 1e-5}, unless={"/release/rates_relative_to": "laboratory"},
+         holds=lambda text: near(75.20533438 * ARCSECOND, 5 * OMEGA, 1e-9)),
+    Case(RUN, ["The bearing's friction changes the rotor's rate in the body from 300 rad/s at the release to 228.68 rad/s at the "
+               "end, and takes its momentum about its axis in space from 0.0048 to 0.00424758 kg m²/s.",
+               "in a body that is not symmetric about the rotor's axis the body then turns otherwise, and so its axis moves "
+               "otherwise, too"], scenario="hard/g03-bearing-friction",
+         unless={"/rotor/viscous_torque_N_m_s": 0, "/rotor/coulomb_torque_N_m": 0}),
+    Case(RUN, "The motor keeps the rotor's rate in the body at 300 rad/s, and takes its momentum about its axis in space from "
+              "0.0048 to 0.00493279 kg m²/s", scenario="hard/g04-motor", unless={"/rotor/spin_rad_s": 301}),
+    Case(RUN, "What one of rotor and body gains the other loses: along the axis of a symmetric cage it does not move the axis.",
+         scenario="caged-gyroscope", set=GENERAL, unless={"/body/inertia/principal_kg_m2/1": 1.4e-5}),
+    Case(RUN, "along the axis of a symmetric cage it does not move the axis, but it turns the cage, which the pivot's friction "
+              "brakes", scenario="caged-gyroscope", set={**GENERAL, "/effects": {"viscous_torque_N_m_s": 1e-7}},
+         unless={"/effects": {}}),
+]
+
+
 # -- on a table
 
 def jacobi(text):
@@ -459,4 +523,4 @@ ANOTHER = [
          set=along_the_earth_s_axis(1e-18, 80), unless={"/numerics": {"method": "long_horizon"}}),
 ]
 
-CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + TABLE + GYROSTAT + ANOTHER
+CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + WHY_ROTOR + TABLE + GYROSTAT + ANOTHER
