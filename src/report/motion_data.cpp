@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/scene/top_figures.hpp"
 #include "report/packed.hpp"
@@ -48,6 +49,37 @@ void add_attitude(const Run& run, Json& data) {
     for (const Row& row : run.drawn.rows)
       largest = std::fmax(largest, Eigen::Map<const Vec3<double>>(&row.value[column(first)]).norm());
   data["rate_rad_s"] = largest;
+}
+
+/// The angle about body axis 3 by which a body has turned in the rows: the integral of its rate, for a picture.
+std::vector<double> angle_about_axis(const Motion& motion, std::string_view rate) {
+  const std::vector<double> rates = values(motion, rate);
+  std::vector<double> angles(rates.size(), 0);
+  for (std::size_t i = 1; i < rates.size(); ++i)
+    angles[i] = angles[i - 1] + (motion.rows[i].t_s - motion.rows[i - 1].t_s) * (rates[i - 1] + rates[i]) / 2;
+  return angles;
+}
+
+/// The rotor in the body: where it is, its size as that of a uniform disc, and both angles in both motions.
+void add_rotor(const Run& run, const RotorSpec& spec, Json& data) {
+  constexpr int kAngleBits = 20;
+  Json angles = Json::object();
+  for (const char* prefix : {"", "ref_"}) {
+    angles[std::string(prefix) + "rotor_angle"] = values(run.played, std::string(prefix) + "rotor_angle_rad");
+    angles[std::string(prefix) + "body_angle"] = angle_about_axis(run.played, std::string(prefix) + "w_LB_B_z_rad_s");
+  }
+  for (const auto& [name, list] : angles.items()) {
+    const auto numbers = list.get<std::vector<double>>();
+    if (!all_finite(numbers)) return;
+    data["packed"]["vectors"][name] = Json::array({packed(numbers, kAngleBits)});
+  }
+  const Vec3<double> c = make_rotor<double>(spec).axis_B, p = c.unitOrthogonal(), q = c.cross(p);
+  Json axes = Json::array();
+  for (const Vec3<double>& axis : {c, p, q}) axes.push_back({axis[0], axis[1], axis[2]});
+  data["rotor"] = {{"axes_B", std::move(axes)},
+                   {"center_m", spec.center_m},
+                   {"radius_m", std::sqrt(2 * spec.axial_kg_m2 / spec.mass_kg)},
+                   {"rate_rad_s", largest_size(values(run.drawn, "rotor_rate_rad_s"))}};
 }
 
 /// Half way between the least and the greatest of the numbers that are finite.
@@ -121,6 +153,7 @@ void add_motion(const Run& run, Json& data) {
                  {"center_of_mass_m", top.center_of_mass_m},
                  {"moments_about_center_kg_m2", top.moments_about_center_kg_m2}};
   if (run.scene->symmetry_axis() != 2) add_attitude(run, data);
+  if (const auto& rotor = run.scene->scenario().rotor; rotor && !run.played.rows.empty()) add_rotor(run, *rotor, data);
   const Model<double>& model = run.scene->model<double>();
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
 }

@@ -3,6 +3,7 @@
 // Earth's rotation, in outline without it. The unit of length is the stem.
 
 const kDisc = { height: 0.58, radius: 0.4, thickness: 0.09 };
+const kCage = 1.12;  // radius of a cage's hoop, over that of the wheel in it
 
 /** East and North, rotated by the smallest rotation that takes Up to the axis: unlike the line of nodes, they do not
  *  whirl when the axis passes the vertical. */
@@ -23,7 +24,7 @@ function shapeOf(top, hasAttitude, isOnTable) {
     const sum = moments[0] + moments[1] + moments[2];
     const half = moments.map((moment) => Math.sqrt((1.5 * Math.max(0, sum - 2 * moment)) / mass));
     const unit = 0.75 / (Math.max(...half) + size(centre) || 1);
-    return { kind: "box", half: half.map((x) => Math.max(x * unit, 0.02)), centre: times(unit, centre) };
+    return { kind: "box", half: half.map((x) => Math.max(x * unit, 0.02)), centre: times(unit, centre), unit };
   }
   if (!known) return { kind: "disc", ...kDisc };
   if (isOnTable) return equal && size(centre) === 0 ? { kind: "ball", radius: 0.5, rolls: true } : { kind: "disc", ...kDisc };
@@ -90,20 +91,17 @@ function paintArrow(ink, from, vector, name, text) {
   pen.textAlign = "left";
 }
 
-function paintDisc(ink, shape, axis, turned, ghost) {
-  const { pen, put, ring, eye } = ink, { height, radius, thickness, low: bottom = 0, high: top = 1 } = shape;
-  const [p, q] = across(axis), faceUp = dot(axis, eye) >= 0, along = (h) => times(h, axis);
-  const low = along(height - thickness / 2), high = along(height + thickness / 2), [near, far] = faceUp ? [high, low] : [low, high];
+/** A wheel about `axis`, from which p and q make a right angle with each other; a mark on it is turned from p to q. */
+function paintWheel(ink, { centre, axis, p, q, radius, thickness }, turned, ghost) {
+  const { pen, put, ring, eye } = ink, faceUp = dot(axis, eye) >= 0;
+  const [low, high] = [-0.5, 0.5].map((side) => combine(1, centre, side * thickness, axis)), [near, far] = faceUp ? [high, low] : [low, high];
   const edge = times(radius, normalise(cross(axis, eye)) ?? p);
   if (ghost) {
-    ink.line(along(bottom), along(top), "ref", 2);
     ring(near, p, q, radius);
     ink.outline();
     for (const side of [1, -1]) ink.path([low, high].map((face) => combine(1, face, side, edge)), kPalette.ref, 2);
     return;
   }
-  const stem = (from, to) => ink.line(from, to, "metal-dark", 6);
-  if (faceUp) stem(along(bottom), low); else stem(high, along(top));
   // The rim of the disc: the far face, and the band between the outermost visible points of both faces.
   pen.fillStyle = kPalette["metal-dark"];
   ring(far, p, q, radius);
@@ -123,7 +121,33 @@ function paintDisc(ink, shape, axis, turned, ghost) {
   };
   trace(pen, [put(near), ...[-3, -2, -1, 0, 1, 2, 3].map(spoke)]);
   pen.fill();
+}
+
+/** The hoop of a cage, in a plane through its axis, as far as it is on the eye's side of the wheel or on the other one. */
+function paintHoop(ink, wheel, turned, ghost, front) {
+  const radius = kCage * wheel.radius, across = combine(Math.cos(turned), wheel.p, Math.sin(turned), wheel.q);
+  const runs = [[]];
+  for (let k = 0; k <= 64; ++k) {
+    const angle = (k * Math.PI) / 32, out = combine(Math.cos(angle), wheel.axis, Math.sin(angle), across);
+    if ((dot(out, ink.eye) >= 0) === front) runs.at(-1).push(combine(1, wheel.centre, radius, out));
+    else if (runs.at(-1).length) runs.push([]);
+  }
+  for (const run of runs) ink.path(run, kPalette[ghost ? "ref" : "metal-dark"], ghost ? 1.5 : 4, ghost ? kDashes.ref : []);
+}
+
+/** @param caged  the angle of the cage about the axis, in which the wheel turns; null where there is none */
+function paintDisc(ink, shape, axis, turned, ghost, caged = null) {
+  const { height, radius, thickness, low: bottom = 0, high: top = 1 } = shape, along = (h) => times(h, axis);
+  const [p, q] = across(axis), faceUp = dot(axis, ink.eye) >= 0, wheel = { centre: along(height), axis, p, q, radius, thickness };
+  const low = along(height - thickness / 2), high = along(height + thickness / 2);
+  const hoop = (front) => { if (caged !== null) paintHoop(ink, wheel, caged, ghost, front); };
+  if (ghost) ink.line(along(bottom), along(top), "ref", 2);
+  const stem = (from, to) => { if (!ghost) ink.line(from, to, "metal-dark", 6); };
+  hoop(false);
+  if (faceUp) stem(along(bottom), low); else stem(high, along(top));
+  paintWheel(ink, wheel, turned, ghost);
   if (faceUp) stem(high, along(top)); else stem(along(bottom), low);
+  hoop(true);
 }
 
 function paintBall(ink, shape, axis, turned, ghost) {
@@ -150,11 +174,18 @@ function paintBall(ink, shape, axis, turned, ghost) {
   ink.path(circle(axis, to, 0, Math.PI), kPalette.axis, 3);
 }
 
-/** The faces of the box that face the eye; the ends of body axis 3 are marked. */
-function paintBox(ink, shape, attitude, carry, ghost) {
+/** The rotor in a box, whose faces are then drawn over it. */
+function paintRotor(ink, shape, rotor, turned, place, ghost) {
+  const [c, p, q] = rotor.axes_B.map(place), radius = clamp(rotor.radius_m * shape.unit, 0.08, 0.6);
+  paintWheel(ink, { centre: place(times(shape.unit, rotor.center_m)), axis: c, p, q, radius, thickness: 0.2 * radius }, turned, ghost);
+}
+
+/** The faces of the box that face the eye; the ends of body axis 3 are marked. A box with a rotor is of glass. */
+function paintBox(ink, shape, { attitude, carry, rotor, turned }, ghost) {
   const { pen, put, eye } = ink, place = (b) => carry(turnedBy(attitude, b));
   const centre = place(shape.centre), edges = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(place);
   if (size(centre) > 0.02) ink.line([0, 0, 0], centre, ghost ? "ref" : "metal-dark", ghost ? 2 : 4);
+  if (rotor) paintRotor(ink, shape, rotor, turned, place, ghost);
   for (let k = 0; k < 3; ++k) for (const side of [1, -1]) {
     const normal = times(side, edges[k]);
     if (dot(normal, eye) <= 0) continue;
@@ -166,9 +197,11 @@ function paintBox(ink, shape, attitude, carry, ghost) {
       ink.outline();
       continue;
     }
+    const clear = rotor ? 0.3 : 1;
+    pen.globalAlpha = clear;
     pen.fillStyle = kPalette.metal;
     pen.fill();
-    pen.globalAlpha = 0.7 * (1 - dot(normal, eye));
+    pen.globalAlpha = 0.7 * clear * (1 - dot(normal, eye));
     pen.fillStyle = kPalette["metal-dark"];
     pen.fill();
     pen.globalAlpha = 1;
@@ -182,8 +215,10 @@ function paintBox(ink, shape, attitude, carry, ghost) {
   }
 }
 
-function paintBody(ink, shape, { axis, turned, attitude, carry }, ghost) {
-  if (shape.kind === "box" && attitude) paintBox(ink, shape, attitude, carry, ghost);
+function paintBody(ink, shape, drawn, ghost) {
+  const { axis, turned, attitude, rotor, caged } = drawn;
+  if (shape.kind === "box" && attitude) paintBox(ink, shape, drawn, ghost);
+  else if (axis && rotor) paintDisc(ink, shape.kind === "disc" ? shape : kDisc, axis, caged + turned, ghost, caged);
   else if (!axis) return;
   else if (shape.kind === "ball") paintBall(ink, shape, axis, turned, ghost);
   else paintDisc(ink, shape.kind === "disc" ? shape : kDisc, axis, turned, ghost);

@@ -51,6 +51,25 @@ function makePlace(moments, numbers) {
   return { count, at, until };
 }
 
+/** A number over time, with straight lines between the rows; 0 where there are none. */
+function makeNumber(moments, numbers) {
+  const count = Math.min(moments?.length ?? 0, numbers?.length ?? 0);
+  return (time) => {
+    if (count < 2) return numbers?.[0] ?? 0;
+    const i = rowBefore(moments, time, count), step = moments[i + 1] - moments[i];
+    const u = step > 0 ? clamp((time - moments[i]) / step, 0, 1) : 0;
+    return (1 - u) * numbers[i] + u * numbers[i + 1];
+  };
+}
+
+/** The rotor in the body, if there is one, and the angles in each motion of the rotor in the body and of the body about its axis 3. None
+ *  where its axis is another than that of the disc as which the body is drawn. */
+function readRotor({ t_s, rotor, rotor_angle, ref_rotor_angle, body_angle, ref_body_angle }, shape) {
+  if (!rotor || (shape.kind !== "box" && rotor.axes_B[0][2] !== 1)) return null;
+  const [angle, refAngle, body, refBody] = [rotor_angle, ref_rotor_angle, body_angle, ref_body_angle].map((list) => makeNumber(t_s, list));
+  return { ...rotor, angle, refAngle, body, refBody };
+}
+
 function torqueLabel({ says, largest, decade }) {
   if (largest === 0) return `${says} torque: zero`;
   return `${says} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
@@ -88,11 +107,12 @@ function readMotion(data) {
   for (let i = 1; i < axis.count; ++i) step = Math.max(step, data.t_s[i] - data.t_s[i - 1]);
   // Between rows that are more than a radian apart it is unknown how the body turned.
   const dense = rate * step < 1, asBody = attitude.count > 0 && dense, shape = shapeOf(data.top, asBody, tip.count > 0);
-  const spin = isNumber(data.spin_rad_s) ? data.spin_rad_s : 0, span = axis.last - axis.first;
+  const rotor = readRotor(data, shape), turns = rotor?.rate_rad_s ?? data.spin_rad_s;
+  const spin = isNumber(turns) ? turns : 0, span = axis.last - axis.first;
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
   const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
-    axis, ref, tip, refTip, attitude, refAttitude, shape, spin, span, first: axis.first, last: axis.last,
+    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
     precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
     sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
@@ -110,9 +130,12 @@ function motionLegend(motion) {
 /** In words: the speed, the magnification, and what is not drawn as it is. */
 function motionText(motion, speed, slowed) {
   const parts = [`Shown ${speedText(speed)}.`, magnificationText(motion.axis, motion.ref)];
-  const { shape, tip, shrunk, spin } = motion;
-  if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
-  else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at 1/${format(slowed)} of its rate.`);
+  const { shape, tip, shrunk, rotor, spin } = motion, slowly = `1/${format(slowed)} of its rate`;
+  if (rotor && shape.kind === "box")
+    parts.push(`The body is drawn as the uniform box of the same moments of inertia, as it turns. The wheel in it is the rotor: its angle in the body is drawn at ${slowly}.`);
+  else if (rotor) parts.push(`The wheel is the rotor and the hoop the cage: the angles of both about the axis are drawn at 1/${format(slowed)} of their rates.`);
+  else if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
+  else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at ${slowly}.`);
   if (motion.sparse) parts.push("The body is not symmetric, but the times drawn are too far apart to show how it turns.");
   if (tip.count && isNumber(shrunk) && shrunk > 0)
     parts.push(`The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}; ` +
@@ -143,12 +166,15 @@ function startTop(data) {
     const { right, up, eye } = camera(), { centred } = motion, scale = (centred ? 0.36 : 0.5) * page.height;
     const x0 = page.width / 2, y0 = (0.5 + (centred ? 0 : 0.26 * up[2])) * page.height;
     const put = (p) => [x0 + scale * dot(right, p), y0 - scale * dot(up, p)];
-    const shown = arrows.checked, turned = ((motion.spin / slowed()) * (time - motion.first)) % (2 * Math.PI);
+    const shown = arrows.checked, { rotor } = motion, once = (angle) => (angle / slowed()) % (2 * Math.PI);
+    const spun = once(motion.spin * (time - motion.first));
+    const [turned, refTurned] = rotor ? [once(rotor.angle(time)), once(rotor.refAngle(time))] : [spun, spun];
+    const [caged, refCaged] = rotor ? [once(rotor.body(time)), once(rotor.refBody(time))] : [0, 0];
     const axis = motion.axis.at(time), ref = motion.ref.at(time), drawn = magnified(ref, axis, magnification());
     paintTop(page.pen, put, eye, {
       shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
-      body: { axis: drawn, turned, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
-      ghost: { axis: ref, turned, attitude: motion.refAttitude.at(time), carry: (v) => v },
+      body: { axis: drawn, turned, rotor, caged, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
+      ghost: { axis: ref, turned: refTurned, rotor, caged: refCaged, attitude: motion.refAttitude.at(time), carry: (v) => v },
       earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
       torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });
