@@ -9,7 +9,9 @@
 #include <limits>
 #include <span>
 
+#include "budget/drift_scene.hpp"
 #include "budget/effects.hpp"
+#include "budget/gyrostat_budget.hpp"
 #include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "earthtop/scenario/support.hpp"
@@ -44,18 +46,6 @@ struct Sized {
 
 double in_newton_metres(double torque, const NaturalUnits& units) {
   return real::scale(torque, units.mass_exponent - 2 * units.time_exponent);
-}
-
-/// Returns the scene whose drift is computed for a budget: in double precision, without sensitivities and ledger.
-Scene drift_scene(const Scene& scene) {
-  Scenario scenario = scene.scenario();
-  scenario.sensitivities = false;
-  scenario.ledger.reset();
-  if (scenario.precision != Precision::bits53) {
-    scenario.precision = Precision::bits53;
-    scenario.numerics.relative_tolerance = default_tolerance(scenario.precision);
-  }
-  return resolve(std::move(scenario));
 }
 
 /// The inputs that represent the candidate effects and, after them, the inputs of the scene.
@@ -175,8 +165,7 @@ EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized
 }
 
 bool has_affordable_drift(const Scene& scene) {
-  constexpr double kAffordable_s = 60;
-  return scene.estimate().seconds.all() <= kAffordable_s && !scene.method_refusal();
+  return scene.estimate().seconds.all() <= kAffordableDrift_s && !scene.method_refusal();
 }
 
 /// Returns the time (s) to compute the drift at the end, which is needed if the motion is followed for a part of its time only.
@@ -267,12 +256,14 @@ void require_sizes(const Support& support) {
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
+  if (scene.support().has_rotor) return gyrostat_budget_seconds(scene);
   require_sizes(scene.support());
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
+  if (scene.support().has_rotor) return gyrostat_budget(scene, watch);
   require_sizes(scene.support());
   const NaturalUnits& units = scene.problem_without_rows<double>().units;
   const Preparation prepared(scene);

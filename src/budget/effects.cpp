@@ -226,8 +226,8 @@ const EffectsSpec& effects(const Scene& scene) { return scene.scenario().effects
 
 const Effect kEffects[] = {
     {"gravity", "", always, Listing::summary},
-    {"coriolis", "/effects/coriolis", [](const Scene& s) { return effects(s).coriolis; }, Listing::both, sized<coriolis>},
-    {"centrifugal", "/effects/centrifugal", [](const Scene& s) { return effects(s).centrifugal; }, Listing::both,
+    {kCoriolis, "/effects/coriolis", [](const Scene& s) { return effects(s).coriolis; }, Listing::both, sized<coriolis>},
+    {kCentrifugal, "/effects/centrifugal", [](const Scene& s) { return effects(s).centrifugal; }, Listing::both,
      sized<centrifugal>},
     {.name = "transverse",
      .key = "/effects/transverse",
@@ -299,6 +299,15 @@ const Effect kEffects[] = {
      .listing = Listing::summary_and_where_modelled,
      .share = "gimbal",
      .modelled_unsized = "not sized, since it is a constraint: it holds the axis level"},
+    {.name = kRotorBearing,
+     .key = "/rotor",
+     .is_modelled =
+         [](const Scene& s) {
+           const auto& rotor = s.scenario().rotor;
+           return rotor && (rotor->drive != RotorDrive::none || rotor->has_friction());
+         },
+     .listing = Listing::budget_where_modelled,
+     .modelled_unsized = "between rotor and body, along the rotor's axis: in a symmetric cage it does not move the axis"},
     {"elasticity", "", never, Listing::summary},
 };
 

@@ -15,7 +15,8 @@
 
 namespace earthtop {
 
-inline constexpr std::string_view kAxisPrecession = "axis_precession";
+inline constexpr std::string_view kCoriolis = "coriolis", kCentrifugal = "centrifugal", kAxisPrecession = "axis_precession",
+                                  kRotorBearing = "rotor_bearing";
 
 struct Effect;
 

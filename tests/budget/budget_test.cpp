@@ -20,6 +20,7 @@
 #include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
 #include "support/effect_scenes.hpp"
+#include "support/rotor_scenes.hpp"
 #include "support/tolerances.hpp"
 
 namespace earthtop {
@@ -202,6 +203,27 @@ TEST(Selection, AccuracyDecidesWhatActs) {
   const std::atomic<bool> stop = true;
   Scene scene(s);
   EXPECT_FALSE(explain_effects(scene, Watch(&stop)));
+}
+
+// The rigid top that moves as the axis of a symmetric cage does has its torques, too: there the Coriolis torque on the rotor is one on the
+// spin.
+TEST(Budget, TorquesOnARotorAreThoseOnTheRigidTopThatMovesAsItDoes) {
+  Scenario caged = testing::caged_gyroscope();
+  caged.rotor->viscous_torque_N_m_s = 1e-6;
+  Scenario general = caged;
+  general.numerics.form = ModelForm::general;
+  const Budget rigid = effect_budget(caged), budget = effect_budget(general);
+  for (const char* effect : {"coriolis", "centrifugal"}) {
+    const EffectEntry &torque = entry_of(budget, effect), &expected = entry_of(rigid, effect);
+    EXPECT_NEAR(*torque.torque_release_N_m, *expected.torque_release_N_m, 1e-12 * *expected.torque_release_N_m);  // roundings
+    // Both are largest at times looked at; in between they rise by no more.
+    EXPECT_NEAR(*torque.torque_largest_N_m, *expected.torque_largest_N_m, 1e-3 * *expected.torque_largest_N_m);
+    EXPECT_FALSE(torque.drift_rad);
+  }
+  EXPECT_EQ(*entry_of(budget, "rotor_bearing").torque_release_N_m, 1e-6 * 300);
+  EXPECT_FALSE(entry_of(rigid, "rotor_bearing").torque_release_N_m);
+  EXPECT_NEAR(budget.earth_drift_rad, rigid.earth_drift_rad,
+              1e-5 * rigid.earth_drift_rad);  // the total of a budget is that exact
 }
 
 TEST(Budget, IsForAFixedPivot) {

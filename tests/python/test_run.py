@@ -16,8 +16,9 @@ import pytest
 import earthtop as et
 
 FILES = ("trajectory.csv", "torques.csv", "summary.json", "drift.svg")
-# Of every kind: fixed pivot, free rotor, closed form, friction, table, platform, long.
-IN_SUITE = {"toy-top", "free-gyro", "dzhanibekov", "cusped-top", "toy-top-on-table", "turntable", "foucault-pendulum"}
+# Of every kind: fixed pivot, free rotor, closed form, friction, table, platform, long, a rotor in the body.
+IN_SUITE = {"toy-top", "free-gyro", "dzhanibekov", "cusped-top", "toy-top-on-table", "turntable", "foucault-pendulum",
+            "tumbling-gyrostat"}
 
 
 def files_of(directory):

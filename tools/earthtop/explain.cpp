@@ -103,6 +103,7 @@ std::string explained(const Budget& budget, const Scene& scene, std::size_t widt
   std::string text = scenario.name + '\n' +
                      paragraph(fmt::format("Drift by the Earth's rotation after {}: {}; {}", time_text(scenario.duration_s),
                                            drift, matching_rule(scenario)));
+  text += rotor_equations_text(scene, width);
   text += '\n' + effects_text(budget, width) + '\n' + inputs_text(budget, width);
   if (std::isfinite(budget.earth_drift_rad) && budget.followed_s < scenario.duration_s * (1 - 1e-9))
     text +=

@@ -4,7 +4,9 @@
 #include <fmt/core.h>
 
 #include "contact_text.hpp"
+#include "earthtop/model/release.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "text/number_words.hpp"
 #include "wrapped.hpp"
 
@@ -84,6 +86,28 @@ std::string contact_explanation_text(const ContactExplanation& explained, const 
         width);
   return text + '\n' + forces_text(explained, width) + friction_text(explained, *scenario.contact, width) + '\n' +
          inputs_text(explained, width);
+}
+
+std::string rotor_equations_text(const Scene& scene, std::size_t width) {
+  const Scenario& scenario = scene.scenario();
+  if (!scenario.rotor) return "";
+  if (!scene.support().has_rotor)
+    return sentence(
+        fmt::format("Rotor: in a symmetric cage; computed is the rigid top that moves as its axis does, with the moments of "
+                    "both and the spin {:.6g} rad/s, and the rows get the turn of cage and rotor",
+                    scene.release<double>().w_XB_B[2]),
+        width);
+  if (scenario.rotor->drive != RotorDrive::none)
+    return sentence(
+        "Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - C s c); L: momentum of body and rotor; I: inertia of "
+        "both; s: rate "
+        "that the motor gives the rotor about its axis c, with the moment C",
+        width);
+  return sentence(
+      fmt::format("Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c); L: momentum of body and rotor; I: "
+                  "inertia of both without the rotor's about its axis c; h: momentum of the rotor about c, {}",
+                  scenario.rotor->has_friction() ? "which only the bearing's friction changes" : "which is constant"),
+      width);
 }
 
 }  // namespace earthtop::tool

@@ -7,6 +7,7 @@ import re
 from case import Case, changed
 
 G = 9.80665
+OMEGA = 7.292115e-5
 TABLE = "toy-top-on-table"
 EXACT = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2}
 TURNING = {"motion": "constant", "rate_rad_s": 1}
@@ -363,4 +364,33 @@ BUDGET = [
     explain("not sized, since it is a constraint: it holds the axis level", set=LEVEL, unless={"/effects/gimbal": False}),
 ]
 
-CASES = START + EFFECTS + FIT + CHOICE + COST + FIGURES + DOUBTS + ON_TABLE + BUDGET
+
+def coriolis_of_both(text):
+    """At the release: h c of the rotor and the body's own turn, from the tensors; of the rotor alone at most C s Omega."""
+    found = [float(x) for x in re.search(r"coriolis modelled ([0-9.e-]+) ([0-9.e-]+)", text).groups()]
+    of_rotor = float(re.search(r"turn in the body alone it is ([0-9.e-]+) N m at most", text)[1])
+    return found[0] <= found[1] and 0.9 * 4e-5 * 19.5 * OMEGA < of_rotor < 1.01 * 4e-5 * 20.4 * OMEGA
+
+
+WITH_ROTOR = [
+    explain(["Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c); L: momentum of body and rotor; I: inertia of both "
+             "without the rotor's about its axis c; h: momentum of the rotor about c, which is constant",
+             "an effect of the Earth's rotation; on the rotor's turn in the body alone it is",
+             "tide left out ? ? ? ? left out; sized only for a rigid body",
+             "Inputs: how well they must be known is not computed with a rotor in the body; run the scenario with each of them "
+             "changed",
+             "Warning: effects are sized only for a rigid body; to see what an effect does with a rotor, run the scenario with and "
+             "without it"], "tumbling-gyrostat", set={"/motion/duration_s": 20}, holds=coriolis_of_both, unless={"/rotor": None}),
+    explain(["h: momentum of the rotor about c, which only the bearing's friction changes",
+             "viscous_torque modelled ? ? ? ? as given; sized only for a rigid body",
+             "rotor_bearing modelled 3.20e-04 3.20e-04 ? ? between rotor and body, along the rotor's axis: in a symmetric cage it "
+             "does not move the axis"], "hard/g03-bearing-friction",  # 300 rad/s times 1e-6, and 2e-5 of dry friction
+            unless={"/effects": {}, "/rotor/viscous_torque_N_m_s": 0, "/rotor/coulomb_torque_N_m": 0}),
+    explain("w = I^-1 (L - C s c); L: momentum of body and rotor; I: inertia of both; s: rate that the motor gives the rotor about "
+            "its axis c, with the moment C", "hard/g04-motor", unless={"/rotor/drive": "none"}),
+    explain("Rotor: in a symmetric cage; computed is the rigid top that moves as its axis does, with the moments of both and the "
+            "spin 342.857 rad/s, and the rows get the turn of cage and rotor", "caged-gyroscope",
+            unless={"/body/inertia/principal_kg_m2/1": 1.4e-5}),
+]
+
+CASES = START + EFFECTS + FIT + CHOICE + COST + FIGURES + DOUBTS + ON_TABLE + BUDGET + WITH_ROTOR
