@@ -118,7 +118,8 @@ TEST(Catalogue, ThePaceCountsWhateverRubs) {
     Scenario with = testing::fast_earth_top();
     scene.add(with);
     const AppliedTorquesSpec& applied = with.effects.applied;
-    const bool rubs = applied.friction() || (applied.gimbal && applied.gimbal->damping_N_m_s > 0);
+    const bool rubs = applied.friction() || (applied.gimbal && applied.gimbal->damping_N_m_s > 0) ||
+                      (with.rotor && with.rotor->has_friction());
     const Pace pace = Scene(with).pace();
     EXPECT_EQ(pace.damping > 0 || pace.halts > 0, rubs);
   }

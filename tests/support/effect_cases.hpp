@@ -110,6 +110,14 @@ inline std::vector<EffectCase> effect_cases() {
     s.rotation_rate_rad_s = 0.02, s.release.spin_rad_s = 150;
     s.duration_s = 2, s.output_step_s = 0.25;
   };
+  const auto put_rotor = [](Scenario& s) {
+    RotorSpec& rotor = s.rotor.emplace();
+    rotor.mass_kg = 0.05, rotor.axial_kg_m2 = 2e-5, rotor.transverse_kg_m2 = 1.2e-5;
+    rotor.axis = {1, 0, 2}, rotor.center_m = {0, 0, 0.03}, rotor.spin_rad_s = 100;
+  };
+  cases.push_back({"rotor_bearing", "friction of a rotor's bearing",
+                   [put_rotor](Scenario& s) { put_rotor(s), s.rotor->viscous_torque_N_m_s = 1e-5; },
+                   [](Scenario& s) { s.rotor->viscous_torque_N_m_s = 0; }});
   cases.push_back({"gimbal", "gimbal", hold, [](Scenario& s) { s.effects.applied.gimbal.reset(); }});
   cases.push_back({"gimbal", "damping of a gimbal", hold, [](Scenario& s) { s.effects.applied.gimbal->damping_N_m_s = 0; }});
   return cases;
