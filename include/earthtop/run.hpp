@@ -154,13 +154,13 @@ struct VerdictReport {
 
 /// The change of the last reliable drift with one input (rad per unit of the input), and the drift error due to that input.
 struct InputSensitivity {
-  std::string_view name;  ///< one of kInputNames (scenario/inputs.hpp)
-  double value = 0;       ///< value of the input
-  double axis_rad = 0, attitude_rad = 0, tilt_rad = 0;
-  std::optional<double> azimuth_rad{};  ///< empty where an axis is vertical
-  double axis_error_rad = 0;            ///< standard error of the axis drift due to this input (rad); 0 if none is given
-  double axis_bound_rad = 0;            ///< bound on the error of `axis_rad` itself
-  std::string unavailable{};            ///< why there is no derivative with respect to this input; empty if there is
+  std::string_view name;                                ///< one of kInputNames (scenario/inputs.hpp)
+  double value = 0;                                     ///< value of the input
+  double axis_rad = 0, attitude_rad = 0, tilt_rad = 0;  ///< `axis_rad` of a rotor's axis where there is one
+  std::optional<double> azimuth_rad{};                  ///< empty where an axis is vertical
+  double axis_error_rad = 0;  ///< standard error of the axis drift due to this input (rad); 0 if none is given
+  double axis_bound_rad = 0;  ///< bound on the error of `axis_rad` itself
+  std::string unavailable{};  ///< why there is no derivative with respect to this input; empty if there is
 };
 struct SensitivityReport {
   double at_s = 0;

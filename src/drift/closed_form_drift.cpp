@@ -98,13 +98,15 @@ class ExactPair {
         deviation_error_ = static_cast<T>(error);
       }
     }
+    if (body_.rotor.axis >= 0) s.watched_axis_B = model.rotor.axis_B;
     s.ref_w_LB_B = ref.w_NB_B;
     s.q_LB = s.ref_q_LB * Quaternion<T>{s.e_w, s.epsilon * s.e_v_scaled}.normalized();
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), model.W_IL_L);
     return s;
   }
   /// The rotor at the time of the last state, with rates in rad/s; null for a body without one.
-  std::shared_ptr<const RotorState<T>> rotor(T t, const Vec3<T>& ref_w_IB_B) const {
+  /// @param both  the last state, with rates in natural units
+  std::shared_ptr<const RotorState<T>> rotor(T t, const DriftState<T>& both) const {
     const ExactRotor<T>& rotor = body_.rotor;
     if (rotor.axis < 0) return nullptr;
     const NaturalUnits& units = problem_.units;
@@ -117,11 +119,12 @@ class ExactPair {
       made.rate_difference_scaled = units.rate_to_rad_s(rotor.minus_body(static_cast<T>(rate_scaled_ * rate)));
       made.angle_difference_scaled = rotor.minus_body(static_cast<T>(rate_scaled_ * angle));
     }
-    made.ref_rate = units.rate_to_rad_s(T(rotor.spin + rotor.minus_body(ref_w_IB_B[rotor.axis] - start)));
+    made.ref_rate = units.rate_to_rad_s(T(rotor.spin + rotor.minus_body(both.ref_w_LB_B[rotor.axis] - start)));
     made.rate = made.ref_rate + problem_.model.epsilon * made.rate_difference_scaled;
     made.ref_angle = rotor.spin * t + rotor.minus_body(turn - start * t);
     made.angle = made.ref_angle + problem_.model.epsilon * made.angle_difference_scaled;
     made.axis_B = problem_.model.rotor.axis_B;
+    made.axis = drift_of_axis(both, made.axis_B);
     return std::make_shared<const RotorState<T>>(made);
   }
   /// Bound on the error of both attitudes in the last state.
@@ -202,7 +205,7 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
     sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
     sample.attitude_error = pair.attitude_error(exact_t);
     sample.drift_error = pair.drift_error(measures.attitude);
-    sample.rotor = pair.rotor(exact_t, state.ref_w_LB_B);
+    sample.rotor = pair.rotor(exact_t, state);
     sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);

@@ -9,7 +9,6 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
-#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
@@ -24,6 +23,7 @@
 #include "report/shell.hpp"
 #include "report/thinning.hpp"
 #include "results/seal.hpp"
+#include "scene/parts.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop::report {
@@ -70,17 +70,12 @@ void append(Json& list, const Vec3<double>& vector) {
 using Torques = std::array<Vec3<double>, 4>;
 constexpr const char* kTorqueNames[] = {"gravity_N_m", "coriolis_N_m", "transverse_N_m", "centrifugal_N_m"};
 
-/// @param rotor  that turns in the body; null where none does
-Torques torques_at(const Model<double>& model, const Rotor<double>* rotor, const Row& row) {
-  static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s");
+Torques torques_at(const Model<double>& model, const Row& row) {
+  static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s"), rate = column("rotor_rate_rad_s");
   const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
   const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
-  LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B);
-  if (rotor != nullptr) {
-    static const std::size_t rate = column("rotor_rate_rad_s");
-    const Mat3<double> J_B = spin_velocity_moment(*rotor, row.value[rate]), R_LB = rotation_matrix(q_LB);
-    entry.tau_cor_A += coriolis_torque<double>(model.W_IL_L, turned_tensor(R_LB, J_B));
-  }
+  const double spin = model.kind == SceneKind::gyrostat ? row.value[rate] : 0;
+  const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B, spin);
   return {entry.tau_phys_A, entry.tau_cor_A, entry.tau_trans_A, entry.tau_cent_A};
 }
 
@@ -96,12 +91,9 @@ Json torques_of(const Run& run, const Model<double>& model) {
   const std::size_t count = motion.rows.size(), a_window = motion.a_window;
   const std::size_t stride = a_window > 0 ? a_window : std::max<std::size_t>(1, (count + kMostArrows - 1) / kMostArrows);
   const std::size_t reach = a_window > 0 ? a_window / 2 : motion.is_resolved && stride > 1 ? 2 * stride : 0;
-  std::optional<Rotor<double>> made;
-  if (const auto& spec = run.scene->scenario().rotor) made = make_rotor<double>(*spec);
-  const Rotor<double>* const rotor = made ? &*made : nullptr;
   std::vector<Torques> all;
   if (reach > 0)
-    for (const Row& row : motion.rows) all.push_back(torques_at(model, rotor, row));
+    for (const Row& row : motion.rows) all.push_back(torques_at(model, row));
   for (std::size_t i = a_window / 2; i < count; i += stride) {
     Torques mean;
     mean.fill(Vec3<double>(0, 0, 0));
@@ -110,7 +102,7 @@ Json torques_of(const Run& run, const Model<double>& model) {
     for (std::size_t k = i - here; k <= i + here; ++k) {
       const double place = (static_cast<double>(k) - static_cast<double>(i)) / (static_cast<double>(here) + 1);
       const double weight = (1 - place * place) * (1 - place * place);
-      const Torques torques = reach > 0 ? all[k] : torques_at(model, rotor, motion.rows[k]);
+      const Torques torques = reach > 0 ? all[k] : torques_at(model, motion.rows[k]);
       for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += weight * torques[n];
       weights += weight;
     }
@@ -257,7 +249,7 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   page.verdict(run.word("/drift/verdict"), verdict_of(run));
   add_motion(run, page.data());
   // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
-  if (run.scene && !run.has_contact) page.data()["torques"] = torques_of(run, run.scene->model<double>());
+  if (run.scene && !run.has_contact) page.data()["torques"] = torques_of(run, model_of_rows<double>(*run.scene));
   const std::string played = "<p>" + escaped(run.played_words) + "</p>\n";
   page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/assessment.hpp"
 
-#include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "run/invariant_follower.hpp"
 #include "run/ledger_report.hpp"
+#include "scene/parts.hpp"
 
 namespace earthtop {
 namespace {
@@ -32,19 +32,6 @@ PivotConditions conditions_of(const Scene& scene) {
   conditions.rotor_keeps_momentum = rotor->drive == RotorDrive::none && !rotor->has_friction();
   conditions.rotor_is_steady = conditions.rotor_keeps_momentum || rotor->drive == RotorDrive::constant;
   return conditions;
-}
-
-/// The model that the rows belong to (SI): that of the scene, which for a rotor in a symmetric cage is the rigid top that moves as its
-/// axis does, and then that of cage and rotor.
-template <class T>
-Model<T> model_of_rows(const Scene& scene) {
-  const Scenario& scenario = scene.scenario();
-  Model<T> model = scene.model<T>();
-  if (!is_caged_top(scenario)) return model;
-  const Body<T> body = gyrostat_body(make_body<T>(scenario.body), *scenario.rotor, scenario.rotor->drive != RotorDrive::none);
-  model.I_BP_B = body.I_BP_B, model.I_BP_B_inverse = body.I_BP_B_inverse;
-  put_rotor(model, make_rotor<T>(*scenario.rotor), {});
-  return model;
 }
 
 template <class T>

@@ -106,10 +106,11 @@ class Differences {
       return std::nullopt;
     }
     const DriftMeasures<double>& m = drift.samples.back().measures;
+    const double axis = watched_drift(drift.samples.back().state).angle;
     const Vec3<double> n_L = rotation_matrix(drift.samples.back().state.ref_q_LB).col(2);
     horizontal_ = m.azimuth_defined ? real::hypot(n_L[0], n_L[1]) : 0;
     found_ = drift.kick_steps;
-    return Quantities{m.axis, m.attitude, m.tilt, m.azimuth};
+    return Quantities{axis, m.attitude, m.tilt, m.azimuth};
   }
 
   /// The drifts with an input moved up and down, and the distance between the two values of the input.

@@ -42,9 +42,18 @@ std::size_t windows_of(double turns, std::size_t most) {
   return best;
 }
 
+/// Returns the period (s) of the nutation of a body with this momentum about its largest moment: that of a long body, or of one in which a
+/// rotor turns, takes many periods of its fastest part.
+double slow_nutation_s(const Scene& scene) {
+  const Mat3<double>& inertia = scene.body<double>().I_BP_B;
+  const double momentum = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B + rotor_momentum(scene)));
+  return 2 * std::numbers::pi * inertia.diagonal().maxCoeff() / momentum;
+}
+
 PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequencies>& known) {
   constexpr double kLooksAPeriod = 12;
-  constexpr double kOfBound = 3;  // the rate is an upper bound: three of its periods are at least one of the motion
+  constexpr double kOfBound = 3;      // the rate is an upper bound: three of its periods are at least one of the motion
+  constexpr double kMostBounds = 16;  // of a body whose parts turn at rates far apart
   PicturePlan plan;
   const double duration = scene.scenario().duration_s;
   const double bound = 2 * std::numbers::pi / scene.pace().axis_rate_rad_s;
@@ -54,6 +63,8 @@ PicturePlan plan_pictures(const Scene& scene, const std::optional<TrendFrequenci
     // A motion that is far from a sine has faster parts, which the bound knows of.
     period = std::clamp(exact, bound, 1.5 * bound);
     window = std::min(window, std::max(exact, bound));
+  } else if (scene.symmetry_axis() < 0 && !scene.support().has_contact) {
+    window = std::max(window, std::min(slow_nutation_s(scene), kMostBounds * bound));
   }
   const double step = period / kLooksAPeriod;
   const double count = std::max(std::ceil(duration / step), 2 * kLooksAPeriod);

@@ -67,8 +67,9 @@ std::optional<SensitivityReport> assess_sensitivities(const RunResult& result, c
     report.unavailable = fmt::format("their integration ended with {}", to_string(status));
   } else if (status != RunStatus::completed) {  // differences pass the corners that variations do not
     // There are none where the watch asks to stop, which ends the whole run.
-    if (auto entries =
-            difference_sensitivities(scene, report.at_s, {row->drift_axis_bound_rad, row->drift_attitude_bound_rad}, watch))
+    if (auto entries = difference_sensitivities(
+            scene, report.at_s,
+            {row->rotor ? row->rotor->drift_axis_bound_rad : row->drift_axis_bound_rad, row->drift_attitude_bound_rad}, watch))
       report.inputs = std::move(*entries);
   }
   if (!scenario.uncertainty) return report;

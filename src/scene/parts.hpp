@@ -24,6 +24,12 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units = {});
 extern template Model<double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<long double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float128> model_of(const Scene&, const NaturalUnits&);
+/// The model that the rows of a run belong to (SI): that of the scene, which for a rotor in a symmetric cage is the rigid top that moves
+/// as its axis does, and then that of cage and rotor.
+template <class T>
+Model<T> model_of_rows(const Scene& scene);
+extern template Model<double> model_of_rows(const Scene&);
+extern template Model<float128> model_of_rows(const Scene&);
 /// Its times are only the release and the end.
 template <class T>
 DriftProblem<T> problem_of(const Scene& scene);

@@ -57,6 +57,19 @@ template Model<long double> model_of(const Scene&, const NaturalUnits&);
 template Model<float128> model_of(const Scene&, const NaturalUnits&);
 
 template <class T>
+Model<T> model_of_rows(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  Model<T> model = scene.model<T>();
+  if (!is_caged_top(scenario)) return model;
+  const Body<T> body = gyrostat_body(make_body<T>(scenario.body), *scenario.rotor, scenario.rotor->drive != RotorDrive::none);
+  model.I_BP_B = body.I_BP_B, model.I_BP_B_inverse = body.I_BP_B_inverse;
+  put_rotor(model, make_rotor<T>(*scenario.rotor), {});
+  return model;
+}
+template Model<double> model_of_rows(const Scene&);
+template Model<float128> model_of_rows(const Scene&);
+
+template <class T>
 DriftProblem<T> problem_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   DriftProblem<T> problem;

@@ -6,4 +6,6 @@ namespace earthtop {
 
 TEST(GyrostatBounds, HoldOverRandomScenes) { testing::expect_bounds_of_gyrostats(53, 14); }
 
+TEST(GyrostatBounds, ObserversAgreeOverRandomScenes) { testing::expect_observers_agree(63, 60); }
+
 }  // namespace earthtop
