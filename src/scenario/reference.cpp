@@ -18,7 +18,13 @@ namespace scenario {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using input::Field, input::FieldKind, input::split_words;
+using input::Field, input::FieldKind;
+
+/// Returns whether a word allows a key. @param keys  those that some words allow and others do not
+template <class Rows>
+bool allowed_by(const Rows& rows, std::string_view keys, const std::string& word, std::string_view key) {
+  return !input::lists(keys, key) || input::lists(row_of_word(rows, word).allowed, key);
+}
 
 /// Returns whether a key is allowed together with the keys of `given`, so that its default may be written.
 bool belongs(std::string_view key, const Json& given) {
@@ -27,15 +33,11 @@ bool belongs(std::string_view key, const Json& given) {
   if (key == "relative_tolerance")
     return !given.contains("step_s") && given.value("method", "") != "closed_form" &&
            given.value("precision", "double") == "double";
-  if (input::lists(kContactLawKeys, key) && given.contains("law"))
-    return input::lists(row_of_word(kContactLaws, given.at("law").get<std::string>()).allowed, key);
-  if (!given.contains("motion")) return true;
-  const auto keys = split_words(kMotionKeys);
-  if (std::find(keys.begin(), keys.end(), key) == keys.end()) return true;
-  return std::any_of(kMotionRules.begin(), kMotionRules.end(), [&](const MotionRule& rule) {
-    const auto allowed = split_words(rule.allowed);
-    return given.at("motion") == rule.word && std::find(allowed.begin(), allowed.end(), key) != allowed.end();
-  });
+  if (given.contains("law")) return allowed_by(kContactLaws, kContactLawKeys, given.at("law"), key);
+  if (given.contains("axial_kg_m2")) return allowed_by(kDriveRules, kDriveKeys, given.value("drive", "none"), key);
+  if (given.contains("motion") && given.at("motion").is_string())
+    return allowed_by(kMotionRules, kMotionKeys, given.at("motion"), key);
+  return true;
 }
 
 bool is_about_original(std::string_view pointer) {
