@@ -4,6 +4,7 @@
 
 #include "earthtop/model/gyrostat.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/run_batch.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "support/rotor_bounds.hpp"
 
@@ -131,6 +132,33 @@ TEST(ThinCage, MayHaveNoMomentAboutAnAxis) {
   EXPECT_NE(free.errors[0].message.find("body and rotor together are not free to turn about three axes"), std::string::npos);
   const RunResult result = run(*examined(R"("axis": [0.1, 0, 1])").scene);
   EXPECT_EQ(result.verdict.verdict, Verdict::reliable);
+}
+
+/// Side by side, in the equations of either observer, gyrostats drift as each by itself does.
+TEST(GyrostatLanes, DriftAsEachByItself) {
+  std::mt19937_64 random(62);
+  for (const Observer observer : {Observer::laboratory, Observer::body}) {
+    std::vector<Scene> scenes;
+    for (int i = 0; i < 6; ++i) {
+      Scenario s = any_gyrostat(random);
+      s.numerics.observer = observer, s.numerics.form = ModelForm::general;
+      scenes.push_back(resolve(std::move(s)));
+    }
+    const std::vector<BatchOutcome> together = run_batch(scenes);
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      ASSERT_TRUE(together[i].result) << together[i].refusal;
+      const RunResult& batch = *together[i].result;
+      const RunResult alone = run(scenes[i]);
+      ASSERT_EQ(batch.rows.size(), alone.rows.size());
+      for (std::size_t row = 0; row < alone.rows.size(); ++row) {
+        const BasicRotorRow<double>&a = *batch.rows[row].rotor, &b = *alone.rows[row].rotor;
+        EXPECT_NEAR(a.drift_axis_rad, b.drift_axis_rad, a.drift_axis_bound_rad + b.drift_axis_bound_rad) << i;
+        EXPECT_NEAR(a.drift_rate_rad_s, b.drift_rate_rad_s, a.drift_rate_bound_rad_s + b.drift_rate_bound_rad_s) << i;
+      }
+      EXPECT_LT(batch.rows.back().rotor->drift_axis_bound_rad, 1e-3 * batch.rows.back().rotor->drift_axis_rad)
+          << i;  // so that the lines above can fail
+    }
+  }
 }
 
 /// The threshold is that of the rotor's axis, and is passed when the row there says so.

@@ -284,6 +284,8 @@ std::vector<DriftTrajectory<double>> integrate_composed(const lanes::Kernel& ker
     return integrate_recorded<ComposedDrift<Observer::inertial, K>>(kernel, width, problems, options, watch);
   if (options.observer == Observer::body)
     return integrate_recorded<ComposedDrift<Observer::body, K>>(kernel, width, problems, options, watch);
+  if constexpr (K == SceneKind::gyrostat)
+    return integrate_recorded<ComposedDrift<Observer::laboratory, K>>(kernel, width, problems, options, watch);
   throw std::logic_error("the general form in lanes has no laboratory axes");
 }
 
