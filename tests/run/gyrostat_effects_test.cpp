@@ -155,6 +155,7 @@ TEST(GyrostatLanes, DriftAsEachByItself) {
         EXPECT_NEAR(a.drift_axis_rad, b.drift_axis_rad, a.drift_axis_bound_rad + b.drift_axis_bound_rad) << i;
         EXPECT_NEAR(a.drift_rate_rad_s, b.drift_rate_rad_s, a.drift_rate_bound_rad_s + b.drift_rate_bound_rad_s) << i;
       }
+      // The bound has to be a small part of the drift, so that the lines above can fail.
       EXPECT_LT(batch.rows.back().rotor->drift_axis_bound_rad, 1e-3 * batch.rows.back().rotor->drift_axis_rad)
           << i;  // so that the lines above can fail
     }

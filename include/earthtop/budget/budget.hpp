@@ -50,7 +50,8 @@ struct Budget {
 };
 
 /// Integrates both predictions together with their first-order response to every effect's strength (variational equations of
-/// the reference motion and of the deviation). Of a gyrostat it states torques and the drift of all effects together. @param watch  may end the computation early
+/// the reference motion and of the deviation). Of a gyrostat it states torques and the drift of all effects together.
+/// @param watch  may end the computation early
 Budget effect_budget(const Scene& scene, const Watch& watch = {});
 /// Estimates the time (s) that `effect_budget` takes on one core.
 double budget_seconds(const Scene& scene);

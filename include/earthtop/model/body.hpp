@@ -65,6 +65,7 @@ std::string missing_moments(const Mat3<double>& inertia);
 /// The reasons why a body is unphysical, each one sentence with a JSON pointer below /body. Conditions: the inertia tensor
 /// about the pivot is positive definite; the moments about the centre of mass satisfy the triangle inequality, where equality
 /// (flat bodies, rods, points) is allowed. Tolerance: 32 eps of the largest pivot moment.
+/// @param has_rotor  whether a rotor belongs to the body, whose own tensor about the pivot may then be singular
 std::vector<Diagnostic> body_violations(const BodySpec& spec, bool has_rotor = false);
 
 /// The body axis (0, 1, 2) about which a body is a symmetric top: the two other principal moments are exactly equal,
