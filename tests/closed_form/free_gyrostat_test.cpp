@@ -165,7 +165,7 @@ TEST(FreeGyrostat, RandomBodiesAreRightWithinTheirStatedErrors) {
     const Integrated truth = integrated(c, Wide(t));
     // The integration is exact to 1e-26 over some hundred steps, as half the step shows.
     EXPECT_LT(angle_between(exact.q_NB, truth.q_NB), 1e-24);  // truncation of the integration at its tolerance
-    EXPECT_LT(off(exact.w_NB_B, truth.w_NB_B), 1e-24);                                                   // the same
+    EXPECT_LT(off(exact.w_NB_B, truth.w_NB_B), 1e-24);        // the same
     EXPECT_LT(std::abs(static_cast<double>(exact_body.axial_turn(Wide(t)).angle - truth.turn)), 1e-24);  // the same
   }
   EXPECT_EQ(regimes, (std::set{1, 2, 3}));
