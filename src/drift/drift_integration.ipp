@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drift/closed_form_drift.hpp"
+#include "drift/gimbals/gimbal_drift.hpp"
 #include "drift/integrate_system.hpp"
 #include "drift/long_horizon/long_horizon_drift.hpp"
 #include "drift/pivot/compass_drift.hpp"
@@ -42,6 +43,13 @@ DriftTrajectory<T> integrate_gyrostat(const DriftProblem<T>& problem, const Inte
 }
 
 template <class T, Observer O>
+DriftTrajectory<T> integrate_gimbals(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
+  GimbalDrift<T, O> system(problem.model, problem.release.X);
+  const T largest_step = row_of(options.method).cost.is_watched ? longest_unseen_step(problem) : T(0);
+  return integrate_system(system, system.initial_state(), problem, options, watch, largest_step);
+}
+
+template <class T, Observer O>
 DriftTrajectory<T> integrate_reduced(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const auto integrate = [&](auto&& system) {
     return integrate_system(system, system.initial_state(), problem, options, watch, system.largest_step());
@@ -64,6 +72,11 @@ DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const Integra
       throw std::logic_error("long_horizon is built for double only");
   }
   if (problem.model.kind == SceneKind::gyrostat) return integrate_gyrostat(problem, options, watch);
+  if (problem.model.kind == SceneKind::suspension) {
+    if (options.observer == Observer::body) throw std::logic_error("a Cardan suspension is not integrated in body axes");
+    return options.observer == Observer::inertial ? integrate_gimbals<T, Observer::inertial>(problem, options, watch)
+                                                  : integrate_gimbals<T, Observer::laboratory>(problem, options, watch);
+  }
   const bool reduced = takes_reduced_form(problem.model, options), composed = options.method == Method::taylor;
   switch (options.observer) {
     case Observer::laboratory:

@@ -10,6 +10,8 @@ template <class T>
 void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
   const Release<T>& release = problem.release;
   state.ref_w_LB_B = release.w_XB_B;
+  // The gimbals' bearings hold the body back: its inertial rate is not that of the reference.
+  if (problem.model.kind == SceneKind::suspension && release.X == RatesRelativeTo::inertial) return;
   state.w_LB_B = release.w_XB_B;
   if (release.X == RatesRelativeTo::inertial) {
     const Mat3<T> R_LB = rotation_matrix(problem.released_attitude());

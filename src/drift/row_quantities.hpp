@@ -53,16 +53,29 @@ enum class RowPart {
 enum class RowOwner {
   every_top,
   contact,  ///< those of a top on a table
-  rotor     ///< those of a gyrostat
+  rotor,    ///< those of a body with a rotor
+  gimbals   ///< those of a Cardan suspension
 };
 /// The name of an owner: the key of a summary that has its part.
 constexpr std::string_view name_of(RowOwner owner) {
-  return owner == RowOwner::contact ? "contact" : owner == RowOwner::rotor ? "rotor" : "";
+  switch (owner) {
+    case RowOwner::every_top: break;
+    case RowOwner::contact: return "contact";
+    case RowOwner::rotor: return "rotor";
+    case RowOwner::gimbals: return "gimbals";
+  }
+  return "";
 }
 /// Whether a row has the quantities of an owner.
 template <class T>
 constexpr bool has_part(const BasicDriftRow<T>& row, RowOwner owner) {
-  return owner == RowOwner::every_top || (owner == RowOwner::contact ? row.contact.has_value() : row.rotor.has_value());
+  switch (owner) {
+    case RowOwner::every_top: break;
+    case RowOwner::contact: return row.contact.has_value();
+    case RowOwner::rotor: return row.rotor.has_value();
+    case RowOwner::gimbals: return row.gimbals.has_value();
+  }
+  return true;
 }
 
 /// One quantity of a row: a number, or several that belong together.
@@ -344,6 +357,76 @@ constexpr void for_each_rotor_quantity(const Visit& visit) {
         "drift_rotor_angle_bound_rad"});
 }
 
+/// The quantities that follow in the runs of a Cardan suspension.
+/// @param visit  the same, but its function takes the part of a row on the gimbals (BasicGimbalRow of any scalar)
+template <class Visit>
+constexpr void for_each_gimbal_quantity(const Visit& visit) {
+  using enum MeasureKind;
+  using enum RowPart;
+  using Bound = BoundKind;
+  const auto visit_one = [&](auto member, RowQuantity quantity) {
+    quantity.owner = RowOwner::gimbals;
+    visit(member, quantity);
+  };
+  using Q = RowQuantity;
+  visit_one(
+      [](auto& g) -> auto& { return g.outer_angle_rad; },
+      Q{"outer_angle", "_rad", "angle of the outer gimbal on the rotating Earth; continuous", angle, rotating,
+        "outer_angle_rad", Bound::attitude, "drift_outer_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.inner_angle_rad; },
+      Q{"inner_angle", "_rad", "angle of the body in the outer gimbal on the rotating Earth; continuous", angle, rotating,
+        "inner_angle_rad", Bound::attitude, "drift_inner_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.outer_rate_rad_s; },
+      Q{"outer_rate", "_rad_s", "rate of the outer angle on the rotating Earth", number, rotating, "outer_rate_rad_s",
+        Bound::rates, "drift_outer_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.inner_rate_rad_s; },
+      Q{"inner_rate", "_rad_s", "rate of the inner angle on the rotating Earth", number, rotating, "inner_rate_rad_s",
+        Bound::rates, "drift_inner_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.ref_outer_angle_rad; },
+      Q{"ref_outer_angle", "_rad", "angle of the outer gimbal in the non-rotating prediction", angle, reference,
+        "ref_outer_angle_rad", Bound::attitude, "drift_outer_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.ref_inner_angle_rad; },
+      Q{"ref_inner_angle", "_rad", "angle of the body in the outer gimbal in the non-rotating prediction", angle, reference,
+        "ref_inner_angle_rad", Bound::attitude, "drift_inner_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.ref_outer_rate_rad_s; },
+      Q{"ref_outer_rate", "_rad_s", "rate of the outer angle in the non-rotating prediction", number, reference,
+        "ref_outer_rate_rad_s", Bound::rates, "drift_outer_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.ref_inner_rate_rad_s; },
+      Q{"ref_inner_rate", "_rad_s", "rate of the inner angle in the non-rotating prediction", number, reference,
+        "ref_inner_rate_rad_s", Bound::rates, "drift_inner_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_outer_angle_rad; },
+      Q{"drift_outer_angle", "_rad", "angle of the outer gimbal, rotating minus prediction; continuous", number, drift,
+        "drift_outer_angle_rad", Bound::drift_attitude, "drift_outer_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_inner_angle_rad; },
+      Q{"drift_inner_angle", "_rad", "angle of the body in the outer gimbal, rotating minus prediction; continuous", number,
+        drift, "drift_inner_angle_rad", Bound::drift_attitude, "drift_inner_angle_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_outer_rate_rad_s; },
+      Q{"drift_outer_rate", "_rad_s", "rate of the outer angle, rotating minus prediction", number, drift,
+        "drift_outer_rate_rad_s", Bound::drift_rates, "drift_outer_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_inner_rate_rad_s; },
+      Q{"drift_inner_rate", "_rad_s", "rate of the inner angle, rotating minus prediction", number, drift,
+        "drift_inner_rate_rad_s", Bound::drift_rates, "drift_inner_rate_rad_s"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_outer_angle_bound_rad; },
+      Q{"drift_outer_angle_bound", "_rad", "bound on the error of drift_outer_angle_rad", number, error,
+        "drift_outer_angle_bound_rad"});
+  visit_one(
+      [](auto& g) -> auto& { return g.drift_inner_angle_bound_rad; },
+      Q{"drift_inner_angle_bound", "_rad", "bound on the error of drift_inner_angle_rad", number, error,
+        "drift_inner_angle_bound_rad"});
+}
+
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
 
 /// A quantity's function for a row, from its function for a part of it. It gives none where the row has no such part.
@@ -362,6 +445,9 @@ struct ContactPart {
 struct RotorPart {
   static constexpr const auto& of(const auto& row) { return row.rotor; }
 };
+struct GimbalPart {
+  static constexpr const auto& of(const auto& row) { return row.gimbals; }
+};
 /// Makes a table entry of a quantity of a part.
 template <class Read>
 constexpr DriftQuantity read_by(const RowQuantity& quantity) {
@@ -369,7 +455,7 @@ constexpr DriftQuantity read_by(const RowQuantity& quantity) {
           [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
 }
 
-/// The quantities of trajectory.csv as an array, in the same order; those of the contact and of a rotor come last.
+/// The quantities of trajectory.csv as an array, in the same order; those of a contact, a rotor and gimbals come last.
 inline constexpr auto kDriftQuantities = [] {
   constexpr std::size_t kCount = [] {
     std::size_t count = 0;
@@ -377,6 +463,7 @@ inline constexpr auto kDriftQuantities = [] {
     for_each_drift_quantity(one_more);
     for_each_contact_quantity(one_more);
     for_each_rotor_quantity(one_more);
+    for_each_gimbal_quantity(one_more);
     return count;
   }();
   std::array<DriftQuantity, kCount> all{};
@@ -387,6 +474,8 @@ inline constexpr auto kDriftQuantities = [] {
       [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), ContactPart>>(quantity); });
   for_each_rotor_quantity(
       [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), RotorPart>>(quantity); });
+  for_each_gimbal_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), GimbalPart>>(quantity); });
   return all;
 }();
 

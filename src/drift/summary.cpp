@@ -30,6 +30,23 @@ double horizontal(const DriftRow& row) {
   return std::min(real::hypot(row.axis_L[0], row.axis_L[1]), real::hypot(row.ref_axis_L[0], row.ref_axis_L[1]));
 }
 
+namespace {
+
+/// The drift of an angle of a suspension.
+DriftSummary::OfAngle summary_of(const std::vector<DriftRow>& rows, double BasicGimbalRow<double>::*drift,
+                                 double BasicGimbalRow<double>::*bound) {
+  DriftSummary::OfAngle summary;
+  for (const DriftRow& row : rows) {
+    const double size = std::abs((*row.gimbals).*drift), error = (*row.gimbals).*bound;
+    if (size > summary.max_rad) summary.max_rad = size, summary.max_at_s = row.t_s, summary.max_bound_rad = error;
+    summary.bound_rad = std::max(summary.bound_rad, error);
+  }
+  summary.final_rad = (*rows.back().gimbals).*drift;
+  return summary;
+}
+
+}  // namespace
+
 DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_rate_rad_s) {
   DriftSummary summary;
   if (rows.empty()) return summary;
@@ -64,6 +81,13 @@ DriftSummary summarize_drift(const std::vector<DriftRow>& rows, double rotation_
       }
       summary.rotor_axis_bound_rad = std::max(summary.rotor_axis_bound_rad.value_or(0), rotor->drift_axis_bound_rad);
     }
+  }
+  if (rows.front().gimbals) {
+    summary.headline = rows.front().gimbals->headline;
+    summary.outer_angle =
+        summary_of(rows, &BasicGimbalRow<double>::drift_outer_angle_rad, &BasicGimbalRow<double>::drift_outer_angle_bound_rad);
+    summary.inner_angle =
+        summary_of(rows, &BasicGimbalRow<double>::drift_inner_angle_rad, &BasicGimbalRow<double>::drift_inner_angle_bound_rad);
   }
   const DriftRow& last = rows.back();
   summary.axis_final_rad = last.drift_axis_rad;

@@ -147,7 +147,7 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
   // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top has its
   // equations without the spin there; a top on a table, and the rotor of a gyrostat, have all of their equations there.
   const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced;
-  if (drift || is_driven_top || scene.support().has_rotor || !scene.support().no_motion_alone.empty() ||
+  if (drift || is_driven_top || scene.support().has_moving_parts() || !scene.support().no_motion_alone.empty() ||
       scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;

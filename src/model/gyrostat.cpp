@@ -106,11 +106,20 @@ void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units) {
   model.kind = SceneKind::gyrostat;
 }
 
+template <class T>
+void put_gimbals(Model<T>& model, const Gimbals<T>& gimbals, const NaturalUnits& units) {
+  model.gimbals = in_units(gimbals, units.mass_exponent, units.time_exponent);
+  model.gimbals.has_rotor = model.kind == SceneKind::gyrostat;
+  if (!model.gimbals.has_rotor) model.rotor.driven = true, model.rotor.axial = T(0);  // nothing turns inside the body
+  model.kind = SceneKind::suspension;
+}
+
 #define EARTHTOP_ROTOR(T)                                                 \
   template Rotor<T> make_rotor(const RotorSpec&);                         \
   template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
   template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
-  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
+  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);      \
+  template void put_gimbals(Model<T>&, const Gimbals<T>&, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)
 EARTHTOP_ROTOR(float128)

@@ -53,6 +53,12 @@ std::optional<double> of_rotor_row(R r, bool last, double BasicRotorRow<double>:
   const auto& rotor = (last ? r.rows.back() : r.rows.front()).rotor;
   return rotor ? std::optional((*rotor).*member) : std::nullopt;
 }
+using OfAngle = DriftSummary::OfAngle;
+/// A number of the drift of a suspension's angle; left out for other tops.
+Json of_gimbals(R r, const std::optional<OfAngle>& angle, double OfAngle::*member) {
+  if (!r.scene.scenario().gimbals) return kLeftOut;
+  return angle ? Json((*angle).*member) : Json();
+}
 /// A component of the tip's drift at the end.
 std::optional<double> tip_final(R r, std::size_t component) {
   if (r.rows.empty() || !r.rows.back().contact) return std::nullopt;
@@ -147,6 +153,28 @@ constexpr auto kDriftMembers = [] {
            [](R r) { return of_a_rotor(r, r.drift.rotor_axis_max_bound_rad); }),
       compared("drift.rotor_axis_bound_rad", error, rows, kAtEnd,
                [](R r) { return of_a_rotor(r, r.drift.rotor_axis_bound_rad); }),
+      of_last_row("drift_outer_angle_rad",
+                  compared("drift.outer_angle_final_rad", drift_axis, end, kAtEnd,
+                           [](R r) { return of_gimbals(r, r.drift.outer_angle, &OfAngle::final_rad); })),
+      compared("drift.outer_angle_max_rad", drift_axis, motion, kFromRows,
+               [](R r) { return of_gimbals(r, r.drift.outer_angle, &OfAngle::max_rad); }),
+      told("drift.outer_angle_max_at_s", kFromRows, kTimeOfLargest,
+           [](R r) { return of_gimbals(r, r.drift.outer_angle, &OfAngle::max_at_s); }),
+      told("drift.outer_angle_max_bound_rad", kFromRows, kIsBounded,
+           [](R r) { return of_gimbals(r, r.drift.outer_angle, &OfAngle::max_bound_rad); }),
+      compared("drift.outer_angle_bound_rad", error, rows, kAtEnd,
+               [](R r) { return of_gimbals(r, r.drift.outer_angle, &OfAngle::bound_rad); }),
+      of_last_row("drift_inner_angle_rad",
+                  compared("drift.inner_angle_final_rad", drift_axis, end, kAtEnd,
+                           [](R r) { return of_gimbals(r, r.drift.inner_angle, &OfAngle::final_rad); })),
+      compared("drift.inner_angle_max_rad", drift_axis, motion, kFromRows,
+               [](R r) { return of_gimbals(r, r.drift.inner_angle, &OfAngle::max_rad); }),
+      told("drift.inner_angle_max_at_s", kFromRows, kTimeOfLargest,
+           [](R r) { return of_gimbals(r, r.drift.inner_angle, &OfAngle::max_at_s); }),
+      told("drift.inner_angle_max_bound_rad", kFromRows, kIsBounded,
+           [](R r) { return of_gimbals(r, r.drift.inner_angle, &OfAngle::max_bound_rad); }),
+      compared("drift.inner_angle_bound_rad", error, rows, kAtEnd,
+               [](R r) { return of_gimbals(r, r.drift.inner_angle, &OfAngle::bound_rad); }),
       compared("drift.axis_final_over_earth_angle", ratio, end, kAtEnd,
                [](R r) { return r.drift.axis_final_over_earth_angle; }),
       compared("drift.verdict", outcome, span, kAtEnd, [](R r) { return to_string(r.verdict.verdict); }),

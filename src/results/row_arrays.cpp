@@ -63,6 +63,11 @@ std::vector<RowArray> arrays_of(const std::vector<DriftRow>& rows) {
       const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.rotor); };
       arrays.push_back(array_of(rows, quantity, of_row));
     });
+  if (!rows.empty() && rows.front().gimbals)
+    for_each_gimbal_quantity([&](auto member, const RowQuantity& quantity) {
+      const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.gimbals); };
+      arrays.push_back(array_of(rows, quantity, of_row));
+    });
   return arrays;
 }
 

@@ -62,6 +62,7 @@ Scenario any_scenario(int kind) {
   scenario.site.deflection = {1, 1};
   scenario.start_utc = "2026-01-01T00:00:00Z";
   scenario.rotor = RotorSpec{1, 1, 1, {0, 0, 1}, {0, 0, 0}, 1, RotorDrive::none, 1, 1, 1, 1, 1, 1, 1};
+  scenario.gimbals.emplace().ring = any_body(kind);
   scenario.platform = PlatformSpec{};
   scenario.platform->motion = static_cast<PlatformMotion>(kind % 4);
   const bool first = kind == 0;

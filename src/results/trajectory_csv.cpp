@@ -19,8 +19,9 @@ namespace {
 bool has_columns(const RunResult& result, RowOwner owner) {
   if (!result.rows.empty()) return has_part(result.rows.front(), owner);
   const Scenario& scenario = result.scene.scenario();
-  return owner == RowOwner::every_top ||
-         (owner == RowOwner::contact ? scenario.contact.has_value() : scenario.rotor.has_value());
+  return owner == RowOwner::every_top || (owner == RowOwner::contact ? scenario.contact.has_value()
+                                          : owner == RowOwner::rotor ? scenario.rotor.has_value()
+                                                                     : scenario.gimbals.has_value());
 }
 
 std::string header(const RunResult& result) {
@@ -71,6 +72,7 @@ void append_row(std::string& text, const DriftRow& row) {
   for_each_drift_quantity([&](auto member, const RowQuantity&) { add_all(member(row)); });
   if (row.contact) for_each_contact_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.contact)); });
   if (row.rotor) for_each_rotor_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.rotor)); });
+  if (row.gimbals) for_each_gimbal_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.gimbals)); });
   line.add_char('\n');
   text += line.text();
 }

@@ -74,6 +74,7 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
     if (row.contact) row.contact->drift_tip_bound_m = T(kUnknown);
     if (row.rotor)
       row.rotor->drift_axis_bound_rad = row.rotor->drift_rate_bound_rad_s = row.rotor->drift_angle_bound_rad = T(kUnknown);
+    if (row.gimbals) row.gimbals->drift_outer_angle_bound_rad = row.gimbals->drift_inner_angle_bound_rad = T(kUnknown);
     add_row(row, result);
   }
   result.drift = summarize_drift(result.rows, result.scene.rotation_rate_rad_s());
@@ -82,6 +83,8 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   result.drift.axis_max_bound_rad = result.drift.tilt_max_bound_rad = result.drift.azimuth_max_bound_rad = kUnknown;
   if (parts.table) result.drift.tip_bound_m = result.drift.tip_max_bound_m = kUnknown;
   if (result.drift.rotor_axis_bound_rad) result.drift.rotor_axis_bound_rad = result.drift.rotor_axis_max_bound_rad = kUnknown;
+  for (auto* angle : {&result.drift.outer_angle, &result.drift.inner_angle})
+    if (*angle) (*angle)->bound_rad = (*angle)->max_bound_rad = kUnknown;
   result.stops = made.first.stops;
   result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
   result.notes.emplace_back(
@@ -178,9 +181,7 @@ class Assembly {
       for (; compared < ahead; ++compared) {
         const DriftSample<T>& sample = made_.first.samples[compared];
         const DriftSample<T>& second = made_.second.samples[compared];
-        bound.include(sample.measures, second.measures, sample.state.epsilon);
-        if (sample.contact && second.contact) bound.include(*sample.contact, *second.contact, sample.state.epsilon);
-        if (sample.rotor && second.rotor) bound.include(*sample.rotor, *second.rotor, sample.state.epsilon);
+        bound.include(sample, second);
         bound.include_stated(sample.drift_error);
       }
       const DriftSample<T>& sample = made_.first.samples[i];

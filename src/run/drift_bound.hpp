@@ -59,6 +59,15 @@ void nudge_contact(Contact<T>& contact, T unit) {
   viscosity *= T(1) + unit, coefficient *= T(1) + unit, patch_radius *= T(1) - unit;
 }
 
+/// Changes a suspension by some units in the last place: its angles as a turn of the body would, rates and the outer gimbal's moments.
+template <class T>
+void nudge_gimbals(Gimbals<T>& gimbals, T unit) {
+  GimbalAngles<T>& release = gimbals.release;
+  release.outer += unit, release.inner -= T(0.7) * unit;
+  release.outer_rate *= T(1) + unit, release.inner_rate *= T(1) - unit;
+  gimbals.ring.I *= T(1) + unit, gimbals.ring.S *= T(1) + unit, gimbals.ring.mass_moment *= T(1) - unit;
+}
+
 /// The parts of a release that are nudged: each component by itself, or attitude and rate as a whole, so that a component that is small, or
 /// exactly zero, changes by units of the largest one.
 enum class Nudged { components, whole };
@@ -111,6 +120,7 @@ void nudge(DriftProblem<T>& problem, T units, Nudged nudged) {
       model.I_BP_B_inverse(i, j) *= stretch[i] * stretch[j];
       model.I_BP_B(i, j) /= stretch[i] * stretch[j];
     }
+  if (model.kind == SceneKind::suspension) nudge_gimbals(model.gimbals, kUnit);
   if (problem.table) {
     nudge_contact(problem.table->contact, kUnit);
     problem.table->start.p_O[2] = problem.table->contact.tip_radius;
@@ -168,11 +178,31 @@ class DriftBound {
                          epsilon * (rows.angle_difference_scaled - second.angle_difference_scaled));
     has_rotor_ = true;
   }
+  /// Includes the gimbals of a Cardan suspension.
+  void include(const GimbalState<T>& rows, const GimbalState<T>& second, T epsilon) {
+    outer_angle_.include(epsilon * rows.outer.diff, epsilon * (rows.outer.diff - second.outer.diff));
+    inner_angle_.include(epsilon * rows.inner.diff, epsilon * (rows.inner.diff - second.inner.diff));
+    headline_ = rows.headline;
+  }
+  /// Includes all that two samples have.
+  void include(const DriftSample<T>& rows, const DriftSample<T>& second) {
+    const T epsilon = rows.state.epsilon;
+    include(rows.measures, second.measures, epsilon);
+    if (rows.contact && second.contact) include(*rows.contact, *second.contact, epsilon);
+    if (rows.rotor && second.rotor) include(*rows.rotor, *second.rotor, epsilon);
+    if (rows.gimbals && second.gimbals) include(*rows.gimbals, *second.gimbals, epsilon);
+  }
   /// Includes the error of a row that the method itself states.
   void include_stated(T error) { stated_ = std::max(stated_, error); }
   T axis() const { return T(safety_) * axis_distance_ + round_off_ * axis_largest_ + stated_; }
-  /// The bound on the error of the drift of the axis that is watched: the rotor's of a gyrostat, else body axis 3.
-  T watched_axis() const { return has_rotor_ ? rotor_axis() : axis(); }
+  /// The bound on the error of the drift that is watched: of a rotor's axis, of a gimbal's angle, else of body axis 3.
+  T watched_axis() const {
+    if (headline_ != GimbalHeadline::axis) return headline_ == GimbalHeadline::outer ? outer_angle() : inner_angle();
+    return has_rotor_ ? rotor_axis() : axis();
+  }
+  /// The bounds on the errors of the drifts of both gimbals' angles (rad).
+  T outer_angle() const { return of(outer_angle_); }
+  T inner_angle() const { return of(inner_angle_); }
   /// The bounds on the errors of the drifts of a rotor: of its axis (rad), its rate (rad/s) and its angle (rad).
   T rotor_axis() const { return of(rotor_axis_) + stated_; }
   T rotor_rate() const { return of(rotor_rate_); }
@@ -196,7 +226,8 @@ class DriftBound {
   T of(const Distance& one) const { return T(safety_) * one.distance + round_off_ * one.largest; }
 
   T round_off_;
-  Distance rotor_axis_, rotor_rate_, rotor_angle_;
+  Distance rotor_axis_, rotor_rate_, rotor_angle_, outer_angle_, inner_angle_;
+  GimbalHeadline headline_ = GimbalHeadline::axis;
   bool has_rotor_ = false;
   T axis_distance_ = T(0), attitude_distance_ = T(0), axis_largest_ = T(0), attitude_largest_ = T(0);
   T tip_distance_ = T(0), tip_largest_ = T(0);

@@ -28,8 +28,7 @@ T bound_at_passing(const TwoIntegrations<T>& made, const AxisDriftSample<T>& pas
     }
     stated = std::max(stated, sample.drift_error);
     const DriftSample<T>& second = made.second.samples[i];
-    bound.include(sample.measures, second.measures, sample.state.epsilon);
-    if (sample.rotor && second.rotor) bound.include(*sample.rotor, *second.rotor, sample.state.epsilon);
+    bound.include(sample, second);
   }
   const AxisDriftSample<T>& other = *made.second.threshold->passing;
   const T later = passing.t - other.t;

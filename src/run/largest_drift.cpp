@@ -294,6 +294,15 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   const bool has_rotor = drift.rotor_axis_max_rad.has_value();
   if (has_rotor)
     sought.push_back({[](const DriftRow& row) { return row.rotor->drift_axis_rad; }, result.reached_s, Kind::angle});
+  const std::size_t angles = sought.size();
+  const auto add_angle = [&](double BasicGimbalRow<double>::*angle) {
+    const auto value = [angle](const DriftRow& row) { return (*row.gimbals).*angle; };
+    sought.push_back({size_of(value, result.looks), result.reached_s, Kind::smooth});
+  };
+  if (drift.outer_angle) {
+    add_angle(&BasicGimbalRow<double>::drift_outer_angle_rad);
+    add_angle(&BasicGimbalRow<double>::drift_inner_angle_rad);
+  }
   SecularDrift* const trend = drift.secular && drift.secular->azimuth_rate_rad_s ? &*drift.secular : nullptr;
   const std::size_t swings = sought.size();
   if (trend != nullptr) {
@@ -327,6 +336,16 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
       drift.rotor_axis_max_rad = found->value, drift.rotor_axis_max_at_s = found->t_s;
       drift.rotor_axis_max_bound_rad = at.watched_axis_bound_rad() + found->error;
     }
+  const auto take_angle = [&](const std::optional<Largest>& found, double JudgedLook::OfGimbals::*bound,
+                              DriftSummary::OfAngle& angle) {
+    if (!found || found->value < angle.max_rad) return;
+    angle.max_rad = found->value, angle.max_at_s = found->t_s;
+    angle.max_bound_rad = (*judged_at(judged, found->t_s).gimbals).*bound + found->error;
+  };
+  if (drift.outer_angle) {
+    take_angle(sought[angles].largest, &JudgedLook::OfGimbals::outer_bound_rad, *drift.outer_angle);
+    take_angle(sought[angles + 1].largest, &JudgedLook::OfGimbals::inner_bound_rad, *drift.inner_angle);
+  }
   if (trend == nullptr) return;
   const auto &least = sought[swings].largest, &most = sought[swings + 1].largest;
   if (!least || !most) return;

@@ -2,6 +2,7 @@
 /// Looks at the motion between the rows of a run: what the first integration has shown there, or what another one shows.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -48,6 +49,10 @@ JudgedLook judged_look(const DriftSample<T>& sample, const DriftBound<T>& bound)
   if (sample.rotor)
     look.rotor = {number(sample.rotor->axis.angle), number(bound.rotor_axis()), number(bound.rotor_rate()),
                   number(bound.rotor_angle())};
+  if (sample.gimbals)
+    look.gimbals = {std::abs(number(sample.state.epsilon * sample.gimbals->outer.diff)), number(bound.outer_angle()),
+                    std::abs(number(sample.state.epsilon * sample.gimbals->inner.diff)), number(bound.inner_angle()),
+                    sample.gimbals->headline};
   return look;
 }
 

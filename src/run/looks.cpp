@@ -142,6 +142,10 @@ void take_bounds(std::span<const JudgedLook> judged, DriftRow& row) {
   const JudgedLook& bounds = judged_at(judged, row.t_s);
   row.drift_axis_bound_rad = bounds.axis_bound_rad, row.drift_attitude_bound_rad = bounds.attitude_bound_rad;
   if (row.contact) row.contact->drift_tip_bound_m = bounds.tip_bound_m;
+  if (row.gimbals && bounds.gimbals) {
+    row.gimbals->drift_outer_angle_bound_rad = bounds.gimbals->outer_bound_rad;
+    row.gimbals->drift_inner_angle_bound_rad = bounds.gimbals->inner_bound_rad;
+  }
   if (!row.rotor) return;
   row.rotor->drift_axis_bound_rad = bounds.watched_axis_bound_rad();
   if (!bounds.rotor) return;

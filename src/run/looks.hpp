@@ -61,8 +61,24 @@ struct JudgedLook {
   };
   std::optional<OfRotor> rotor = {};
 
-  double watched_axis_rad() const { return rotor ? rotor->axis_rad : axis_rad; }
-  double watched_axis_bound_rad() const { return rotor ? rotor->axis_bound_rad : axis_bound_rad; }
+  /// Of the gimbals of a Cardan suspension: sizes of the drifts of both angles, and bounds on their errors.
+  struct OfGimbals {
+    double outer_rad = 0, outer_bound_rad = 0, inner_rad = 0, inner_bound_rad = 0;
+    GimbalHeadline headline = GimbalHeadline::axis;
+  };
+  std::optional<OfGimbals> gimbals = {};
+
+  GimbalHeadline headline() const { return gimbals ? gimbals->headline : GimbalHeadline::axis; }
+  double watched_axis_rad() const {
+    if (headline() != GimbalHeadline::axis)
+      return headline() == GimbalHeadline::outer ? gimbals->outer_rad : gimbals->inner_rad;
+    return rotor ? rotor->axis_rad : axis_rad;
+  }
+  double watched_axis_bound_rad() const {
+    if (headline() != GimbalHeadline::axis)
+      return headline() == GimbalHeadline::outer ? gimbals->outer_bound_rad : gimbals->inner_bound_rad;
+    return rotor ? rotor->axis_bound_rad : axis_bound_rad;
+  }
 };
 /// The bounds at a time: those of the first look for judgement that is not earlier, since bounds only grow.
 const JudgedLook& judged_at(std::span<const JudgedLook> judged, double t_s);

@@ -50,6 +50,7 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   if (parts.table) row.contact = parts.table->row(sample, bound.tip());
   if (parts.cage) parts.cage->complete(row);
   if (sample.rotor) add_rotor_row(s, *sample.rotor, bound, row);
+  if (sample.gimbals) add_gimbal_row(s, *sample.gimbals, bound, row);
   return row;
 }
 
@@ -75,6 +76,11 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
   if (row.rotor) {
     BasicRotorRow<To>& made = cast.rotor.emplace();
     for_each_rotor_quantity([&](auto member, const RowQuantity&) { cast_to(member(made), member(*row.rotor)); });
+  }
+  if (row.gimbals) {
+    BasicGimbalRow<To>& made = cast.gimbals.emplace();
+    for_each_gimbal_quantity([&](auto member, const RowQuantity&) { cast_to(member(made), member(*row.gimbals)); });
+    made.headline = row.gimbals->headline;
   }
   return cast;
 }

@@ -183,7 +183,7 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
   const Scene& scene = result.modelled;
   if (result.status != RunStatus::completed || result.looks.size() < 3 || verdict.verdict != Verdict::reliable ||
       verdict.from_s || !verdict.intervals.empty() || scene.scenario().platform || scene.scenario().effects.tide ||
-      !scene.scenario().effects.all_on() || (scene.symmetry_axis() != 2 && !scene.support().has_rotor) ||
+      !scene.scenario().effects.all_on() || (scene.symmetry_axis() != 2 && !scene.support().has_moving_parts()) ||
       scene.rotation_rate_rad_s() == 0)
     return {};
   const Body<double>& body = scene.body<double>();

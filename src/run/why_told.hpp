@@ -114,6 +114,7 @@ void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
 void tell_caged(Told& told);
 void tell_with_rotor(Told& told);
+void tell_with_gimbals(Told& told);
 void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
 

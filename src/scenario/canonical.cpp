@@ -22,8 +22,10 @@ nlohmann::json written_out(const Scenario& s) {
     below.list("solids", s.body.solids, [](auto& element, const auto& solid) { solid_keys(element, solid); });
   });
   if (s.rotor) root.object("rotor", true, [&](auto& below) { rotor_keys(below, *s.rotor); });
+  if (s.gimbals) root.object("gimbals", true, [&](auto& below) { gimbals_keys(below, *s.gimbals); });
   root.object("release", true, [&](auto& below) {
     below.word("rates_relative_to", s.release.rates_relative_to, kRateFrames);
+    if (s.release.gimbals) return gimbal_release_keys(below, *s.release.gimbals);
     attitude_keys(below, s.release);
     rates_keys(below, s.release);
   });

@@ -77,13 +77,16 @@ bool decode_site(const Section& root, Scenario& scenario) {
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
   const bool gravity = decode_site(root, scenario);
-  const auto body = root.require("body") ? decode_body(root.section("body"), root.has("rotor")) : std::nullopt;
-  const auto release = root.require("release") ? decode_release(root.section("release"), root.has("rotor")) : std::nullopt;
+  const auto body =
+      root.require("body") ? decode_body(root.section("body"), root.has("rotor") || root.has("gimbals")) : std::nullopt;
+  const ReleasedParts parts{root.has("rotor"), root.has("gimbals")};
+  const auto release = root.require("release") ? decode_release(root.section("release"), parts) : std::nullopt;
   if (body) scenario.body = *body;
   if (release) scenario.release = *release;
   decode_motion(root.section("motion"), scenario);
   if (root.has("rotor")) scenario.rotor = decode_rotor(root, source, scenario.duration_s);
-  if (body && scenario.rotor) check_gyrostat(root, *body, *scenario.rotor);
+  if (root.has("gimbals")) scenario.gimbals = decode_gimbals(root);
+  if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);
@@ -103,7 +106,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
             .refuse_key(kInputNames[i],
                         fmt::format("the scenario has no such number: this is the {}; leave it out", kInputs[i].doc));
   }
-  return body && release && gravity && (scenario.contact || !root.has("contact"));
+  return body && release && gravity && (scenario.contact || !root.has("contact")) && (scenario.gimbals || !root.has("gimbals"));
 }
 
 /// Removes the spin that a change in another unit replaces.

@@ -17,8 +17,18 @@ using input::excerpt, input::lists, input::Node, input::Section, input::split_wo
 /// @param has_rotor  whether a rotor belongs to it: its own moments may then be 0
 std::optional<BodySpec> decode_body(const Section& body, bool has_rotor);
 
+/// What of a scenario decides which keys its release has.
+struct ReleasedParts {
+  bool rotor = false, gimbals = false;
+};
 /// Decodes the release; empty if it is not complete.
-std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor);
+std::optional<ReleaseSpec> decode_release(const Section& release, const ReleasedParts& parts);
+
+/// Decodes a Cardan suspension; empty if it is not complete.
+std::optional<GimbalsSpec> decode_gimbals(const Section& root);
+
+/// Checks that an inertia is given in one of the two ways, and makes its tensor symmetric. @returns whether that is so
+bool complete_inertia(const Section& inertia, BodySpec& spec);
 
 /// Decodes duration, output step and start, and checks the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);

@@ -135,12 +135,14 @@ bool decode_given(const Section& body, BodySpec& spec) {
   Reading codec(body);
   body_keys(codec, spec);
   if (!body.has("inertia")) return false;
-  const Section inertia = body.section("inertia");
-  if (!check_inertia(inertia) || !codec.complete() || !given) return false;
-  return inertia.has("principal_kg_m2") || make_symmetric(inertia, spec.inertia_kg_m2);
+  return complete_inertia(body.section("inertia"), spec) && codec.complete() && given;
 }
 
 }  // namespace
+
+bool complete_inertia(const Section& inertia, BodySpec& spec) {
+  return check_inertia(inertia) && (inertia.has("principal_kg_m2") || make_symmetric(inertia, spec.inertia_kg_m2));
+}
 
 std::optional<BodySpec> decode_body(const Section& body, bool has_rotor) {
   BodySpec spec;

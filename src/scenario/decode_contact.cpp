@@ -89,6 +89,8 @@ void check_beside(const Section& root, const Scenario& scenario) {
                 "it holds the axis of a body that a pivot carries, and a tip on a table is free");
   if (root.has("rotor"))
     root.refuse_key("rotor", fmt::format("is not available with /contact: a gyrostat on a table is not modelled; {}", kLeave));
+  if (root.has("gimbals"))
+    root.refuse_key("gimbals", fmt::format("is not available with /contact: gimbals need a fixed support; {}", kLeave));
   if (root.has("platform"))
     root.refuse_key("platform",
                     fmt::format("is not available with /contact: a table that turns or swings is not modelled; {}", kLeave));

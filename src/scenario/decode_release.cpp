@@ -12,6 +12,12 @@
 namespace earthtop::scenario {
 namespace {
 
+constexpr std::string_view kFreeReleaseKeys[] = {
+    "tilt_deg",   "azimuth_deg", "spin_angle_deg", "quaternion_LB", "angular_velocity_body_rad_s",
+    "spin_rad_s", "spin_rpm",    "precession"};
+constexpr std::string_view kGimbalReleaseKeys[] = {"outer_angle_deg", "inner_angle_deg", "outer_rate_rad_s",
+                                                   "inner_rate_rad_s"};
+
 bool decode_attitude(const Section& release, ReleaseSpec& spec) {
   const bool tilt = release.has("tilt_deg"), quaternion = release.has("quaternion_LB");
   if (tilt && quaternion) {
@@ -75,14 +81,37 @@ bool decode_rates(const Section& release, bool has_rotor, ReleaseSpec& spec) {
   return codec.complete() && !(whole && release.has("precession"));
 }
 
+/// With gimbals: their angles and rates, and no other attitude or rate.
+bool decode_gimbal_release(const Section& release, GimbalReleaseSpec& spec) {
+  bool alone = true;
+  for (const std::string_view key : kFreeReleaseKeys) {
+    if (!release.has(key)) continue;
+    release.refuse_key(key,
+                       "belongs to a body on a pivot; with /gimbals give outer_angle_deg and inner_angle_deg, and their rates");
+    alone = false;
+  }
+  for (const std::string_view key : {"outer_angle_deg", "inner_angle_deg"}) alone = release.require(key) && alone;
+  Reading codec(release);
+  gimbal_release_keys(codec, spec);
+  return codec.complete() && alone;
+}
+
 }  // namespace
 
-std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor) {
+std::optional<ReleaseSpec> decode_release(const Section& release, const ReleasedParts& parts) {
   ReleaseSpec spec;
+  if (parts.gimbals) {
+    Reading codec(release);
+    codec.word("rates_relative_to", spec.rates_relative_to, kRateFrames);
+    const bool given = decode_gimbal_release(release, spec.gimbals.emplace());
+    return given && codec.complete() ? std::optional(spec) : std::nullopt;
+  }
+  for (const std::string_view key : kGimbalReleaseKeys)
+    if (release.has(key)) release.refuse_key(key, "belongs to /gimbals, which is not given; give tilt_deg and a spin instead");
   const bool attitude = decode_attitude(release, spec);
   Reading codec(release);
   codec.word("rates_relative_to", spec.rates_relative_to, kRateFrames);
-  const bool rates = decode_rates(release, has_rotor, spec);
+  const bool rates = decode_rates(release, parts.rotor, spec);
   if (!attitude || !codec.complete() || !rates) return std::nullopt;
   return spec;
 }

@@ -171,6 +171,40 @@ void rotor_keys(Codec& codec, S& rotor) {
   codec.sparse("file_sha256", rotor.table.file_sha256);  // represents the table in the run's identity
 }
 
+// -- gimbals
+
+template <class Codec, class S>
+void bearing_keys(Codec& codec, S& bearing) {
+  codec.key("locked", bearing.locked);
+  codec.sparse("viscous_torque_N_m_s", bearing.viscous_torque_N_m_s);
+  codec.sparse("coulomb_torque_N_m", bearing.coulomb_torque_N_m);
+  codec.sparse("regularisation_rad_s", bearing.regularisation_rad_s);
+  codec.sparse("torsion_N_m_rad", bearing.torsion_N_m_rad);
+  codec.sparse("torsion_rest_deg", bearing.torsion_rest_deg);
+}
+
+template <class Codec, class S>
+void gimbals_keys(Codec& codec, S& gimbals) {
+  codec.object("outer", true, [&](auto& below) {
+    below.key("axis_tilt_deg", gimbals.axis_tilt_deg);
+    below.key("axis_azimuth_deg", gimbals.axis_azimuth_deg);
+    if (gimbals.ring) body_keys(below, *gimbals.ring);
+    bearing_keys(below, gimbals.outer);
+  });
+  codec.object("inner", true, [&](auto& below) {
+    below.key("axis_skew_deg", gimbals.axis_skew_deg);
+    bearing_keys(below, gimbals.inner);
+  });
+}
+
+template <class Codec, class S>
+void gimbal_release_keys(Codec& codec, S& release) {
+  codec.key("outer_angle_deg", release.outer_angle_deg);
+  codec.key("inner_angle_deg", release.inner_angle_deg);
+  codec.key("outer_rate_rad_s", release.outer_rate_rad_s);
+  codec.key("inner_rate_rad_s", release.inner_rate_rad_s);
+}
+
 // -- contact
 
 /// Describes the contact. A law's coefficients are written with that law only; what is off, and a level table, is left out.

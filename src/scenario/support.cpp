@@ -20,6 +20,17 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
          "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario "
          "with and without it",
      .no_trend = "the top stands on a table"},
+    {.kind = SupportKind::suspension,
+     .pointer = "/gimbals",
+     .carries = [](const Scenario& s) { return s.gimbals.has_value(); },
+     .has_gimbals = true,
+     .may_damp = true,
+     .no_exact_motion = "is not available for a body in gimbals; take \"auto\", or leave the gimbals out",
+     .no_motion_alone = "of a body in gimbals both motions are integrated together; take the drift",
+     .no_effect_sizes =
+         "effects are sized only for a rigid body; to see what an effect does with gimbals, run the scenario with and "
+         "without it",
+     .no_trend = "gimbals hold the body"},
     {.kind = SupportKind::rotor,
      .pointer = "/rotor",
      .carries = [](const Scenario& s) { return s.rotor && !is_caged_top(s); },
@@ -50,7 +61,7 @@ static_assert(supports_are_in_order());
 }  // namespace
 
 bool is_caged_top(const Scenario& s) {
-  if (!has_symmetric_cage(s) || s.contact || s.numerics.form == ModelForm::general) return false;
+  if (!has_symmetric_cage(s) || s.contact || s.gimbals || s.numerics.form == ModelForm::general) return false;
   const AppliedTorquesSpec& applied = s.effects.applied;
   return !applied.friction() && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
 }

@@ -240,12 +240,12 @@ PlatformDemand demand_of(const Scene& scene) {
 
 bool has_axial_moment(const Scene& scene) {
   const auto& rotor = scene.scenario().rotor;
-  return rotor && (!scene.support().has_rotor || rotor->drive != RotorDrive::none);
+  return rotor && (!scene.support().has_moving_parts() || rotor->drive != RotorDrive::none);
 }
 
 Vec3<double> rotor_momentum(const Scene& scene) {
   const auto& given = scene.scenario().rotor;
-  if (!scene.support().has_rotor) return Vec3<double>::Zero();
+  if (!given || !scene.support().has_moving_parts()) return Vec3<double>::Zero();
   const Rotor<double> rotor = make_rotor<double>(*given);
   const double carried = rotor.driven ? 0 : rotor.axis_B.dot(scene.release<double>().w_XB_B);
   double rate = std::abs(rotor.spin + carried) + std::abs(given->acceleration_rad_s2) * scene.scenario().duration_s +

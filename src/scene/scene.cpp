@@ -78,14 +78,15 @@ const std::vector<Constant>& Scene::constants() const {
 const Support& Scene::support() const { return support_of(scenario()); }
 bool Scene::is_plain() const { return support().is_fixed_pivot && scenario().effects.plain(); }
 int Scene::symmetry_axis() const {
-  return parts_->symmetry_axis.get([this] { return support().has_rotor ? -1 : earthtop::symmetry_axis(body<double>()); });
+  return parts_->symmetry_axis.get(
+      [this] { return support().has_moving_parts() ? -1 : earthtop::symmetry_axis(body<double>()); });
 }
 const TopFigures& Scene::top() const {
   return parts_->top.get([this] { return top_figures_of(*this); });
 }
 bool Scene::is_reducible_when_driven() const {
   const EffectsSpec& effects = scenario().effects;
-  if (!effects.all_on() || support().has_rotor) return false;
+  if (!effects.all_on() || support().has_moving_parts()) return false;
   if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform;
   return symmetry_axis() == 2 || (symmetry_axis() >= 0 && !effects.applied.air_drag);
 }

@@ -82,7 +82,7 @@ SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
   if (!plan.refusal.empty()) return plan;
   const std::size_t inputs = inputs_of(scenario).size();
   const bool varied = scenario.contact ? has_tangents(scene.problem_without_rows<double>())
-                                       : scenario.effects.applied.coulomb_N_m == 0 && !scene.support().has_rotor;
+                                       : scenario.effects.applied.coulomb_N_m == 0 && !scene.support().has_moving_parts();
   if (varied)
     for (const double tolerance : {kSensitivityTolerance, kCoarseSensitivityTolerance})
       plan.seconds += variations_seconds(scene, time_s, tolerance, inputs);

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "earthtop/model/contact_release.hpp"
+#include "earthtop/model/gimbal_equations.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "scene/caged_top.hpp"
@@ -37,16 +38,38 @@ Release<T> release_on_pivot(const Scene& scene) {
 template <class T>
 constexpr LawsIn<T> kPivot{release_on_pivot<T>, [](const Scene&, DriftProblem<T>&) {}};
 
+/// Both axes turn in the carrier, a platform or the laboratory.
+template <class T>
+Release<T> release_in_gimbals(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  const Gimbals<T> gimbals = make_gimbals<T>(*scenario.gimbals, *scenario.release.gimbals);
+  const Platform<T> platform = scenario.platform ? make_platform<T>(*scenario.platform) : Platform<T>();
+  const SinCos<T> half = real::sin_cos(T(platform.turn.angle(T(0)) / T(2)));
+  const GimbalAngles<T>& angles = gimbals.release;
+  Release<T> release;
+  release.X = scenario.release.rates_relative_to;
+  release.q_LB =
+      Quaternion<T>{half.cos, Vec3<T>(half.sin * platform.turn.axis)} * gimbal_attitude(gimbals, angles.outer, angles.inner);
+  const GimbalPose<T, T> pose{gimbals, real::sin_cos(angles.outer), real::sin_cos(angles.inner)};
+  const Vec3<T> carrier_B = pose.into_body(pose.into_ring(Vec3<T>(platform.turn.angle_rate(T(0)) * platform.turn.axis)));
+  release.w_XB_B = carrier_B + angles.outer_rate * pose.outer_axis_B() + Vec3<T>(T(0), angles.inner_rate, T(0));
+  return release;
+}
+template <class T>
+constexpr LawsIn<T> kSuspension{release_in_gimbals<T>, [](const Scene&, DriftProblem<T>&) {}};
+
 constinit const TableLaws kTableLaws;
+constinit const SuspensionLaws kSuspensionLaws;
 constinit const RotorLaws kRotorLaws;
 constinit const PlatformLaws kPlatformLaws;
 constinit const GimbalLaws kGimbalLaws;
 constinit const PivotLaws kPivotLaws;
 
 /// Both in the order of SupportKind.
-constexpr auto kLaws = std::to_array<const PivotLaws*>({&kTableLaws, &kRotorLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
+constexpr auto kLaws =
+    std::to_array<const PivotLaws*>({&kTableLaws, &kSuspensionLaws, &kRotorLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
 template <class T>
-constexpr std::array kLawsIn = {kTable<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
+constexpr std::array kLawsIn = {kTable<T>, kSuspension<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
 static_assert(kLaws.size() == kSupportCount && kLawsIn<double>.size() == kSupportCount);
 
 }  // namespace

@@ -54,6 +54,20 @@ struct RotorLaws final : PivotLaws {
   std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
 };
 
+struct SuspensionLaws final : PivotLaws {
+  void check(const input::Section& root, const Scene& scene) const override;
+  void fit_units(const Scene& scene, NaturalUnits& units) const override;
+  double fastest_rate(const Scene& scene) const override;
+  Paced paced(const Scene& scene) const override;
+  ModelForm form(const Scene&, const IntegrationOptions&) const override { return ModelForm::general; }
+  MethodChoice choose_method(const Scene& scene) const override;
+  IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& first,
+                                    IntegrationOptions second) const override;
+  void take_series_form(const Scene&, IntegrationOptions& series) const override { series.observer = Observer::inertial; }
+  void add_figures(TopFigures& top, const Scene& scene, double cosine) const override;
+  std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
+};
+
 struct PlatformLaws final : PivotLaws {
   void check(const input::Section& root, const Scene& scene) const override;
 };

@@ -46,6 +46,23 @@ struct BasicRotorRow {
   T drift_rate_bound_rad_s = T(0), drift_angle_bound_rad = T(0);  ///< the same of the other two
 };
 
+/// What of the drift of a Cardan suspension is judged: an axis, the rotor's or body axis 3, or the angle of the only gimbal that is free
+/// where there is no rotor.
+enum class GimbalHeadline { axis, outer, inner };
+
+/// The part of a row of a Cardan suspension (model/gimbals.hpp): both angles and their rates.
+template <class T>
+struct BasicGimbalRow {
+  T outer_angle_rad = T(0), inner_angle_rad = T(0);
+  T outer_rate_rad_s = T(0), inner_rate_rad_s = T(0);
+  T ref_outer_angle_rad = T(0), ref_inner_angle_rad = T(0);
+  T ref_outer_rate_rad_s = T(0), ref_inner_rate_rad_s = T(0);
+  T drift_outer_angle_rad = T(0), drift_inner_angle_rad = T(0);  ///< rotating minus reference
+  T drift_outer_rate_rad_s = T(0), drift_inner_rate_rad_s = T(0);
+  T drift_outer_angle_bound_rad = T(0), drift_inner_angle_bound_rad = T(0);
+  GimbalHeadline headline = GimbalHeadline::axis;
+};
+
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
 /// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
 /// in float128, which holds a long double unchanged.
@@ -68,6 +85,7 @@ struct BasicDriftRow {
   bool drift_reliable = true;                 ///< false from the time at which the run's verdict calls the drift unreliable
   std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
   std::optional<BasicRotorRow<T>> rotor;      ///< of a gyrostat
+  std::optional<BasicGimbalRow<T>> gimbals;   ///< in the rows of a Cardan suspension
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;
@@ -130,8 +148,19 @@ struct DriftSummary {
   /// Of a gyrostat: the same of the rotor's axis.
   std::optional<double> rotor_axis_final_rad, rotor_axis_max_rad, rotor_axis_bound_rad;
   std::optional<double> rotor_axis_max_at_s, rotor_axis_max_bound_rad;
-  /// The bound of the axis whose drift is judged: a rotor's, else body axis 3.
-  double watched_axis_bound_rad() const { return rotor_axis_bound_rad.value_or(axis_bound_rad); }
+  /// Of a Cardan suspension: the same of its angles. The drift at the end has its sign, the largest is a size.
+  struct OfAngle {
+    double final_rad = 0, max_rad = 0, bound_rad = 0;
+    double max_at_s = 0, max_bound_rad = 0;
+  };
+  std::optional<OfAngle> outer_angle, inner_angle;
+  GimbalHeadline headline = GimbalHeadline::axis;
+  /// The bound of the drift that is judged: of a rotor's axis, of a gimbal's angle, else of body axis 3.
+  double watched_axis_bound_rad() const {
+    if (headline == GimbalHeadline::outer) return outer_angle->bound_rad;
+    if (headline == GimbalHeadline::inner) return inner_angle->bound_rad;
+    return rotor_axis_bound_rad.value_or(axis_bound_rad);
+  }
 };
 
 /// Summarises the rows. The members on the threshold and the trend stay empty: the integrations, which see every step, find

@@ -11,6 +11,7 @@
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/drift/contact_state.hpp"
 #include "earthtop/drift/deviation.hpp"
+#include "earthtop/drift/gimbal_state.hpp"
 #include "earthtop/drift/rotor_state.hpp"
 #include "earthtop/drift/stop_event.hpp"
 #include "earthtop/drift/threshold.hpp"
@@ -99,7 +100,8 @@ struct DriftSample {
   T drift_error = T(0);     ///< bound on the error of the drift
   /// The contact of a top on a table, in natural units; it is apart, as samples of other tops would be twice as large.
   std::shared_ptr<const ContactDriftState<T>> contact{};
-  std::shared_ptr<const RotorState<T>> rotor{};  ///< of a gyrostat
+  std::shared_ptr<const RotorState<T>> rotor{};     ///< of a gyrostat
+  std::shared_ptr<const GimbalState<T>> gimbals{};  ///< of a Cardan suspension
 };
 
 /// The azimuths of a sample, for the trend.

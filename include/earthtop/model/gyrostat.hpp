@@ -25,11 +25,16 @@ Body<T> without_rotor(const Body<T>& both, const RotorSpec& rotor, bool whole);
 template <class T>
 void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units);
 
+/// Makes a model that of a Cardan suspension, after its rotor if it has one.   @param gimbals  in SI units
+template <class T>
+void put_gimbals(Model<T>& model, const Gimbals<T>& gimbals, const NaturalUnits& units);
+
 #define EARTHTOP_ROTOR(T)                                                        \
   extern template Rotor<T> make_rotor(const RotorSpec&);                         \
   extern template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
   extern template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
-  extern template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
+  extern template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);      \
+  extern template void put_gimbals(Model<T>&, const Gimbals<T>&, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)
 EARTHTOP_ROTOR(float128)

@@ -7,6 +7,7 @@
 #include "earthtop/members.hpp"
 #include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
+#include "earthtop/model/gimbals.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/model/rotor.hpp"
@@ -16,8 +17,8 @@ namespace earthtop {
 
 /// The kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
 /// at rest in the laboratory. `full`: each torque has a weight, a platform may carry the pivot, and further torques may be
-/// applied. `gyrostat`: as `full`, and a rotor turns in the body.
-enum class SceneKind { plain, full, gyrostat };
+/// applied. `gyrostat`: as `full`, and a rotor turns in the body. `suspension`: a Cardan suspension holds the body.
+enum class SceneKind { plain, full, gyrostat, suspension };
 
 /// The weight of each of the torques of [F] (torques.hpp): 1, or 0 if the scene leaves it out.
 template <class T>
@@ -48,9 +49,10 @@ struct Model {
   AppliedTorques<T> applied;
   TideSeries<T> tide;  ///< tide of the Moon and the Sun, added to apparent gravity
   Rotor<T> rotor;
+  Gimbals<T> gimbals;
   SceneKind kind = SceneKind::plain;
   EARTHTOP_MEMBERS(I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, epsilon, W_IL_L_scaled, W_IL_L, weights,
-                   platform, applied, tide, rotor, kind)
+                   platform, applied, tide, rotor, gimbals, kind)
 };
 
 /// Units of the model: masses in 2^mass_exponent kg, times in 2^time_exponent s. Powers of two change no digit. They bring all
@@ -119,7 +121,8 @@ PivotField<T> pivot_field(const Model<T>& model, T t) {
 /// The inertia of body and rotor together, also where the model's own tensor leaves a free rotor's axial moment out (rotor.hpp).
 template <class T>
 Mat3<T> inertia_of_all(const Model<T>& model) {
-  if (model.kind != SceneKind::gyrostat || model.rotor.driven) return model.I_BP_B;
+  const bool has_rotor = model.kind == SceneKind::gyrostat || model.kind == SceneKind::suspension;
+  if (!has_rotor || model.rotor.driven) return model.I_BP_B;
   return model.I_BP_B + model.rotor.axial * (model.rotor.axis_B * model.rotor.axis_B.transpose());
 }
 

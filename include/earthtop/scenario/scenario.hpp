@@ -17,6 +17,7 @@
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
 #include "earthtop/model/contact_spec.hpp"
+#include "earthtop/model/gimbals_spec.hpp"
 #include "earthtop/model/ledger_row.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
@@ -74,8 +75,9 @@ struct Scenario {
   double rotation_rate_rad_s = kEarthRateWgs84;
   double excess_length_of_day_ms = 0;
   double gravity_anomaly_m_s2 = 0;
-  BodySpec body;                   ///< without the rotor
-  std::optional<RotorSpec> rotor;  ///< that turns in the body; none: a rigid body
+  BodySpec body;                       ///< without the rotor
+  std::optional<RotorSpec> rotor;      ///< that turns in the body; none: a rigid body
+  std::optional<GimbalsSpec> gimbals;  ///< that hold the body, which is the inner one; none: a fixed pivot
   ReleaseSpec release;
   double duration_s = 0;
   std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z

@@ -325,6 +325,7 @@ std::optional<double> GrowthReport::passes_s(double log_growth) const {
 GrowthReport disturbance_growth(const MotionProblem<double>& problem, MotionKind kind, double duration_s, double tolerance,
                                 const Watch& watch) {
   const MotionProblem<double> one = alone(problem, kind);
+  if (one.model.kind == SceneKind::suspension) return follow<SuspensionMotion, SeriesSteps>(one, duration_s, tolerance, watch);
   if (!has_smooth_series(problem, duration_s)) return follow<AnyBodyMotion, CornerSteps>(one, duration_s, tolerance, watch);
   if (is_compass(one.model)) return follow<WheelMotion, SeriesSteps>(one, duration_s, tolerance, watch);
   if (is_reducible_when_driven(one.model)) return follow<SpinlessMotion, SeriesSteps>(one, duration_s, tolerance, watch);

@@ -14,5 +14,6 @@ taylor::Operations<double> record_single_motion(const Equations<double>& equatio
 template taylor::Operations<double> record_single_motion(const SpinlessMotionEquations<double>&, std::span<const double>,
                                                          double);
 template taylor::Operations<double> record_single_motion(const WheelMotionEquations<double>&, std::span<const double>, double);
+template taylor::Operations<double> record_single_motion(const GimbalMotionEquations<double>&, std::span<const double>, double);
 
 }  // namespace earthtop

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The laws of one motion in the laboratory, from which its tangents follow (tangents.hpp): of any body, of a symmetric top without its
-/// spin, and of a wheel in a gimbal. The non-rotating prediction is the motion of a model whose Earth stands still.
+/// spin, of a wheel in a gimbal, and of a Cardan suspension. The non-rotating prediction is the motion of a model whose Earth stands still.
 ///
 /// Each law shows the attitude and the rate that belong to a state, for any scalar, so that those of a scalar with derivatives show how a
 /// disturbance turns the body; and it takes such a disturbance to a change of the state.
@@ -12,6 +12,7 @@
 
 #include "drift/pivot/compass_equations.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
+#include "earthtop/model/gimbal_equations.hpp"
 #include "earthtop/model/reduced_torques.hpp"
 #include "integrate/motion_system.hpp"
 #include "integrate/state_vectors.hpp"
@@ -125,6 +126,24 @@ struct WheelMotionEquations {
   }
 };
 
+/// A Cardan suspension, as an inertial observer sees it (gimbal_equations.hpp). The state: [0] alpha   [1] beta   [2] p_a   [3] p_b   [4] h.
+template <class T>
+struct GimbalMotionEquations {
+  static constexpr std::size_t kSize = 5;
+
+  Model<T> model;
+  EARTHTOP_MEMBERS(model)
+
+  void operator()(const std::array<T, kSize>& x, std::array<T, kSize>& dxdt, T t) const {
+    const GimbalPose<T, T> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
+    const GimbalSurroundings<T> around = of_rotating(gimbal_surroundings<false>(model, t));
+    const GimbalMotion<T> motion = gimbal_motion(model, pose, GimbalMomenta<T>{x[2], x[3], x[4]}, around.turning, t);
+    const GimbalMomenta<T> rate = momentum_rates<false>(model, pose, x[0], x[1], motion, around);
+    dxdt[0] = motion.outer_rate, dxdt[1] = motion.inner_rate;
+    dxdt[2] = rate.outer, dxdt[3] = rate.inner, dxdt[4] = rate.rotor;
+  }
+};
+
 /// Records these equations as they are at a state and a time. The recording scalar is compiled apart.
 template <template <class> class Equations>
 taylor::Operations<double> record_single_motion(const Equations<double>& equations, std::span<const double> x, double t);
@@ -185,6 +204,57 @@ class SpinlessMotion {
   SpinlessMotionEquations<double> equations_{};
   Mat3<double> release_R_LB_;
   Vec3<double> u_;
+};
+
+/// Attitude and rate are shown in the axes of the carrier, as if it stood still.
+class SuspensionMotion {
+ public:
+  struct Shape {
+    static constexpr std::size_t kSize = GimbalMotionEquations<double>::kSize;
+    static constexpr auto groups() { return std::array<ComponentGroup, 2>{{{0, 2, 1.0}, {2, 3, 1e-3}}}; }
+  };
+  using State = std::array<double, Shape::kSize>;
+
+  SuspensionMotion(const MotionProblem<double>& problem, const Motion<double>&) : equations_{problem.model} {}
+  static int axis() { return 2; }
+  State initial_state() const {
+    const Model<double>& model = equations_.model;
+    const GimbalAngles<double>& release = model.gimbals.release;
+    const GimbalPose<double, double> pose{model.gimbals, real::sin_cos(release.outer), real::sin_cos(release.inner)};
+    const Vec3<double> turning = of_rotating(gimbal_surroundings<false>(model, 0.0)).turning;
+    const GimbalMomenta<double> p =
+        gimbal_momenta(model, pose, release.outer_rate, release.inner_rate, model.rotor.spin, turning, 0.0);
+    return {release.outer, release.inner, p.outer, p.inner, p.rotor};
+  }
+  template <class S>
+  Turning<S> turning(const std::array<S, Shape::kSize>& x) const {
+    const Model<double>& model = equations_.model;
+    const GimbalPose<double, S> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
+    const GimbalMotion<S> motion =
+        gimbal_motion(model, pose, GimbalMomenta<S>{x[2], x[3], x[4]}, over_scalar<S>(model.W_IL_L), 0.0);
+    Mat3<S> R_PB;
+    for (int i = 0; i < 3; ++i)
+      R_PB.row(i) = pose.into_body(pose.into_ring(over_scalar<S>(Vec3<double>(Vec3<double>::Unit(i))))).transpose();
+    return {R_PB, motion.w_B, S(0)};
+  }
+  /// What the gimbals allow of a disturbance: turns about both axes, and about that of the rotor.
+  State change(const State& x, const Vec3<double>& theta_B, const Vec3<double>& dw_B) const {
+    const Model<double>& model = equations_.model;
+    const GimbalPose<double, double> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
+    const Vec3<double> a_B = pose.outer_axis_B(), I_a = times(model.I_BP_B, a_B);
+    const double outer = model.gimbals.outer.locked ? 0 : 1, inner = model.gimbals.inner.locked ? 0 : 1;
+    const double da = outer * dw_B.dot(a_B), db = inner * dw_B[1];
+    return {outer * theta_B.dot(a_B), inner * theta_B[1],
+            outer * ((model.gimbals.ring.I(2, 2) + a_B.dot(I_a)) * da + I_a[1] * db),
+            inner * (I_a[1] * da + model.I_BP_B(1, 1) * db),
+            model.rotor.driven ? 0 : model.rotor.axial * dw_B.dot(model.rotor.axis_B)};
+  }
+  taylor::Operations<double> record(std::span<const double> x, double t) const {
+    return record_single_motion(equations_, x, t);
+  }
+
+ private:
+  GimbalMotionEquations<double> equations_;
 };
 
 class WheelMotion {

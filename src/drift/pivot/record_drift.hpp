@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "drift/gimbals/gimbal_drift_equations.hpp"
 #include "drift/pivot/compass_equations.hpp"
 #include "drift/pivot/driven_reduced_equations.hpp"
 #include "earthtop/integrate/options.hpp"
@@ -22,13 +23,14 @@ extern template taylor::Operations<long double> record_drift(const Model<long do
 extern template taylor::Operations<float128> record_drift(const Model<float128>&, Observer, std::span<const float128>,
                                                           float128);
 
-/// Equations without the spin: of a symmetric top in driven_reduced_equations.hpp, of a wheel in a gimbal in
-/// compass_equations.hpp.
+/// Equations without an attitude: of a symmetric top in driven_reduced_equations.hpp, of a wheel in a gimbal in compass_equations.hpp,
+/// of a Cardan suspension in gimbal_drift_equations.hpp.
 template <class T, template <class, Observer> class Equations, Observer O>
 taylor::Operations<T> record_spinless(const Equations<T, O>& equations, std::span<const T> x, T t);
 #define EARTHTOP_RECORD_TOP(T, O)                                                                                    \
   extern template taylor::Operations<T> record_spinless(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
-  extern template taylor::Operations<T> record_spinless(const CompassEquations<T, O>&, std::span<const T>, T);
+  extern template taylor::Operations<T> record_spinless(const CompassEquations<T, O>&, std::span<const T>, T);       \
+  extern template taylor::Operations<T> record_spinless(const GimbalDriftEquations<T, O>&, std::span<const T>, T);
 EARTHTOP_RECORD_TOP(double, Observer::laboratory)
 EARTHTOP_RECORD_TOP(double, Observer::inertial)
 EARTHTOP_RECORD_TOP(long double, Observer::laboratory)

@@ -57,7 +57,8 @@ taylor::Operations<T> record_spinless(const Equations<T, O>& equations, std::spa
 
 #define EARTHTOP_RECORD_TOP(T, O)                                                                             \
   template taylor::Operations<T> record_spinless(const DrivenReducedEquations<T, O>&, std::span<const T>, T); \
-  template taylor::Operations<T> record_spinless(const CompassEquations<T, O>&, std::span<const T>, T);
+  template taylor::Operations<T> record_spinless(const CompassEquations<T, O>&, std::span<const T>, T);       \
+  template taylor::Operations<T> record_spinless(const GimbalDriftEquations<T, O>&, std::span<const T>, T);
 #define EARTHTOP_RECORD(T)                                                                       \
   template taylor::Operations<T> record_drift(const Model<T>&, Observer, std::span<const T>, T); \
   EARTHTOP_RECORD_TOP(T, Observer::laboratory)                                                   \

@@ -110,16 +110,30 @@ class StepWatcher {
     for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
       for (int i = 0; i < 3; ++i) (*rate)[i] = units_.rate_to_rad_s((*rate)[i]);
     sample.rotor = rotor_of(state, x, t);
+    sample.gimbals = gimbals_of(x, t);
     return sample;
   }
   /// The state of a gyrostat's rotor, with rates in rad/s; null for other tops.
   std::shared_ptr<const RotorState<T>> rotor_of([[maybe_unused]] const DriftState<T>& both,
                                                 [[maybe_unused]] const typename System::State& x, [[maybe_unused]] T t) const {
     if constexpr (requires { system_.rotor_state(x, t); }) {
-      RotorState<T> rotor = system_.rotor_state(x, t);
-      for (T* rate : {&rotor.rate, &rotor.ref_rate, &rotor.rate_difference_scaled}) *rate = units_.rate_to_rad_s(*rate);
-      rotor.axis = drift_of_axis(both, rotor.axis_B);
-      return std::make_shared<const RotorState<T>>(rotor);
+      std::optional<RotorState<T>> rotor = system_.rotor_state(x, t);
+      if (!rotor) return nullptr;
+      for (T* rate : {&rotor->rate, &rotor->ref_rate, &rotor->rate_difference_scaled}) *rate = units_.rate_to_rad_s(*rate);
+      rotor->axis = drift_of_axis(both, rotor->axis_B);
+      return std::make_shared<const RotorState<T>>(*rotor);
+    } else {
+      return nullptr;
+    }
+  }
+  /// The gimbals of a Cardan suspension, with rates in rad/s; null for other tops.
+  std::shared_ptr<const GimbalState<T>> gimbals_of([[maybe_unused]] const typename System::State& x,
+                                                   [[maybe_unused]] T t) const {
+    if constexpr (requires { system_.gimbal_state(x, t); }) {
+      GimbalState<T> gimbals = system_.gimbal_state(x, t);
+      for (Paired<T>* rate : {&gimbals.outer_rate, &gimbals.inner_rate})
+        for (T* part : {&rate->ref, &rate->rot, &rate->diff}) *part = units_.rate_to_rad_s(*part);
+      return std::make_shared<const GimbalState<T>>(gimbals);
     } else {
       return nullptr;
     }

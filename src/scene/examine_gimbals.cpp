@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Checks of a body in a Cardan suspension, its rates, its unit of time and its methods.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "earthtop/model/gimbal_equations.hpp"
+#include "scene/support_laws.hpp"
+
+namespace earthtop {
+namespace {
+
+/// The suspension at the release, without the Earth.
+struct ReleasedGimbals {
+  Gimbals<double> gimbals;
+  double m11, m12, m22;  ///< of the mass matrix of both angles (kg m^2)
+  double m11_most;       ///< the largest m11 of any inner angle
+  double momentum;       ///< of the rotor (kg m^2/s)
+  double torque;         ///< the largest of gravity (N m)
+
+  explicit ReleasedGimbals(const Scene& scene)
+      : gimbals(make_gimbals<double>(*scene.scenario().gimbals, *scene.scenario().release.gimbals)),
+        momentum(norm(rotor_momentum(scene))) {
+    const Body<double>& body = scene.body<double>();
+    const GimbalAngles<double>& at = gimbals.release;
+    const GimbalPose<double, double> pose{gimbals, real::sin_cos(at.outer), real::sin_cos(at.inner)};
+    const Vec3<double> a_B = pose.outer_axis_B(), I_a = times(body.I_BP_B, a_B);
+    m11 = gimbals.ring.I(2, 2) + a_B.dot(I_a), m12 = I_a[1], m22 = body.I_BP_B(1, 1);
+    const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(body.I_BP_B, Eigen::EigenvaluesOnly);
+    m11_most = gimbals.ring.I(2, 2) + moments.eigenvalues()[2];
+    const double field = scene.site().gravity_m_s2 + scene.platform_demand().acceleration_m_s2;
+    torque = field * (norm(Vec3<double>(body.mass * body.p_PBcm_B)) + norm(gimbals.ring.mass_moment));
+  }
+  /// Whether the equations can be solved for the accelerations.
+  bool is_solvable() const {
+    constexpr double kLeast = 1e-12;
+    if (gimbals.inner.locked) return m11 > 0;
+    if (gimbals.outer.locked) return m22 > 0;
+    return m11 * m22 - m12 * m12 > kLeast * m11_most * m22;
+  }
+  /// The rate of the nutation (rad/s); 0 where one gimbal is locked.
+  double nutation() const {
+    if (gimbals.outer.locked || gimbals.inner.locked) return 0;
+    return momentum / std::sqrt(m11 * m22 - m12 * m12);
+  }
+  /// The least moment of a free axis.
+  double least() const {
+    if (gimbals.inner.locked) return m11;
+    if (gimbals.outer.locked) return m22;
+    return std::min(m11 - m12 * m12 / m22, m22 - m12 * m12 / m11);
+  }
+};
+
+}  // namespace
+
+void SuspensionLaws::check(const input::Section& root, const Scene& scene) const {
+  const Scenario& scenario = scene.scenario();
+  const EffectsSpec& effects = scenario.effects;
+  const input::Section given = root.section("effects");
+  const auto refuse = [&](const char* key, bool is_given, const char* why) {
+    if (is_given) given.refuse_key(key, std::string("is not available with /gimbals: ") + why + "; leave one of the two out");
+  };
+  constexpr const char* kBearings = "it is friction of a pivot, and gimbals have bearings with friction of their own";
+  refuse("viscous_torque_N_m_s", effects.applied.viscous_N_m_s != 0, kBearings);
+  refuse("quadratic_torque_N_m_s2", effects.applied.quadratic_N_m_s2 != 0, kBearings);
+  refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, kBearings);
+  refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
+  refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel without moments of its own");
+  constexpr const char* kWhole = "the torques of parts that move belong to all three";
+  refuse("coriolis", !effects.coriolis, kWhole);
+  refuse("centrifugal", !effects.centrifugal, kWhole);
+  refuse("transverse", !effects.transverse, kWhole);
+  const input::Section numerics = root.section("numerics");
+  if (numerics.has("observer") && scenario.numerics.observer == Observer::body)
+    numerics.refuse(
+        "observer",
+        "is \"body\", and with /gimbals the equations are those of all parts, which no one of them carries; must be "
+        "\"laboratory\" or \"inertial\"");
+  if (!ReleasedGimbals(scene).is_solvable())
+    root.section("release").refuse(
+        "inner_angle_deg",
+        "is a gimbal lock (gimbal_lock): here the parts that turn about the outer axis have no moment of inertia, and nothing "
+        "resists them; give the outer gimbal a mass and moments, or another angle");
+}
+
+void SuspensionLaws::fit_units(const Scene& scene, NaturalUnits& units) const {
+  const ReleasedGimbals at(scene);
+  int exponent = 0;
+  std::frexp(scene.fastest_rate_rad_s(), &exponent);
+  units.time_exponent = std::min(units.time_exponent, -exponent);
+  std::frexp(std::max(at.m11_most, at.m22), &exponent);
+  units.mass_exponent = exponent;
+}
+
+double SuspensionLaws::fastest_rate(const Scene& scene) const {
+  const Scenario& scenario = scene.scenario();
+  const ReleasedGimbals at(scene);
+  const Gimbals<double>& gimbals = at.gimbals;
+  const double carried = std::abs(scene.rotation_rate_rad_s()) + scene.platform_demand().rate_rad_s, least = at.least();
+  double rate = at.nutation() + 2 * std::sqrt(at.torque / least) + std::sqrt(gimbals.outer.torsion / at.m11) +
+                std::sqrt(gimbals.inner.torsion / at.m22) + std::abs(gimbals.release.outer_rate) +
+                std::abs(gimbals.release.inner_rate) + carried;
+  // With one gimbal locked the rotor is a compass, or a gyroscope that feels the turning of its carrier.
+  if (at.nutation() == 0) rate += std::sqrt(at.momentum * carried / least);
+  if (scenario.rotor) rate += 2 * std::numbers::pi * std::abs(scenario.rotor->frequency_hz);
+  return std::max(rate, 1 / scenario.duration_s);
+}
+
+Paced SuspensionLaws::paced(const Scene& scene) const {
+  const Scenario& scenario = scene.scenario();
+  const ReleasedGimbals at(scene);
+  const double time = scenario.duration_s, rate = scene.fastest_rate_rad_s();
+  Paced paced;
+  Pace& pace = paced.pace;
+  pace.duration_s = time;
+  pace.rows = scene.rows();
+  pace.judgement_looks = kJudgementLooks;
+  pace.axis_rate_rad_s = rate;
+  for (const FiledTable* table : tables_of(scenario)) pace.joints += static_cast<double>(table->rows->t_s.size());
+  pace.turning_rad = pace.watched_angle_rad = std::max(1.0, rate * time);
+  const auto damp = [&](std::string_view pointer, double viscous, double coulomb, double regularisation, double moment) {
+    const double steepest = viscous + (coulomb > 0 ? coulomb / regularisation : 0), damping = steepest / moment * time;
+    pace.damping += damping;
+    // Regularised dry friction turns over where a rate changes its sign, twice in each nutation.
+    if (coulomb > 0) pace.halts += rate * time / std::numbers::pi;
+    if (damping > paced.stiffest.damping) paced.stiffest = {pointer, damping};
+  };
+  const Bearing<double>&outer = at.gimbals.outer, &inner = at.gimbals.inner;
+  damp("/gimbals/outer", outer.viscous, outer.coulomb, outer.regularisation, at.m11);
+  damp("/gimbals/inner", inner.viscous, inner.coulomb, inner.regularisation, at.m22);
+  if (const auto& rotor = scenario.rotor)
+    damp("/rotor", rotor->viscous_torque_N_m_s, rotor->coulomb_torque_N_m, rotor->regularisation_rad_s,
+         1 / (1 / rotor->axial_kg_m2 + 1 / at.least()));
+  pace.reduced_turning_rad = pace.turning_rad, pace.reduced_damping = pace.damping;
+  return paced;
+}
+
+/// The inertial observer's equations take the fewest operations.
+MethodChoice SuspensionLaws::choose_method(const Scene& scene) const {
+  IntegrationOptions options = scene.scenario().numerics;
+  if (options.method == Method::taylor) return {options, "asked for"};
+  if (options.method != Method::automatic || scene.scenario().precision != Precision::bits53)
+    return PivotLaws::choose_method(scene);
+  options.method = Method::taylor;
+  if (options.form == ModelForm::general || options.observer != Observer::laboratory)
+    return {options, "Taylor series of the equations of the observer asked for"};
+  options.observer = Observer::inertial;
+  options.form = ModelForm::general;
+  return {options, "Taylor series of the inertial observer's equations take the fewest operations"};
+}
+
+IntegrationOptions SuspensionLaws::second_options(const Scene& scene, const IntegrationOptions& first,
+                                                  IntegrationOptions second) const {
+  second = PivotLaws::second_options(scene, first, second);
+  second.observer = first.observer == Observer::inertial ? Observer::laboratory : Observer::inertial;
+  return second;
+}
+
+std::optional<std::string> SuspensionLaws::refuse(const MethodRow& row, const Scene&) const {
+  const Method method = row.method;
+  if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation || method == Method::rkf78)
+    return std::nullopt;
+  return fmt::format("\"{}\" is not built for a body in gimbals; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+                     row.word);
+}
+
+void SuspensionLaws::add_figures(TopFigures& top, const Scene&, double) const {
+  top.left_out.emplace_back("precession, nutation and critical spin of a rigid top: gimbals hold the body");
+}
+
+}  // namespace earthtop
