@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "earthtop/model/gimbal_equations.hpp"
+#include "scene/gimbal_rest.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
@@ -166,7 +167,27 @@ std::optional<std::string> SuspensionLaws::refuse(const MethodRow& row, const Sc
                      row.word);
 }
 
-void SuspensionLaws::add_figures(TopFigures& top, const Scene&, double) const {
+void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) const {
+  const Scenario& scenario = scene.scenario();
+  const GimbalInertia inertia = gimbal_inertia(scene);
+  TopFigures::OfGimbals& figures = top.gimbals.emplace();
+  figures.outer_moment_kg_m2 = inertia.outer, figures.inner_moment_kg_m2 = inertia.inner;
+  if ((top.nutation_rad_s = gimbal_nutation(scene))) top.nutation_kind = NutationKind::small_amplitude;
+  const double Omega = std::abs(scene.rotation_rate_rad_s()), h = std::abs(gimbal_rotor_momentum(scene));
+  if (const auto rest = gimbal_rest(scene, Prediction::rotating)) {
+    figures.slow_period_s = rest->slow_period_s, figures.fast_period_s = rest->fast_period_s;
+    figures.outer_rest_rad = rest->outer_rad, figures.inner_rest_rad = rest->inner_rad;
+  }
+  if (top.nutation_rad_s && h > 0 && Omega > 0) {
+    const double ring = scenario.gimbals->ring ? scenario.gimbals->ring->mass_kg : 0;
+    const double weight = (scene.body<double>().mass + ring) * scene.site().gravity_m_s2;
+    figures.earth_torque_N_m = h * Omega;
+    if (weight > 0) figures.earth_offset_m = h * Omega / weight;
+    const double cosine = std::abs(real::cos(scene.model<double>().gimbals.release.inner));
+    // X^2 = 2 M0^2 Omega / (h |cos b| (A3 + B3)), where it is small
+    const double square = 2 * inertia.outer * inertia.outer * Omega / (h * cosine * inertia.axial);
+    if (has_magnus_drift(scene) && square < 0.1) figures.earth_nutation_rad = std::sqrt(square);
+  }
   top.left_out.emplace_back("precession, nutation and critical spin of a rigid top: gimbals hold the body");
 }
 
