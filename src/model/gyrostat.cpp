@@ -27,6 +27,22 @@ Mat3<T> rotor_inertia(const RotorSpec& spec, bool whole) {
   return whole ? Mat3<T>(across + T(spec.axial_kg_m2) * along) : across;
 }
 
+/// Adds a number of times the masses that the body carries, or takes them away.
+template <class T>
+Body<T> changed_by(const Body<T>& body, const std::vector<MovingMassSpec>& specs, int sign) {
+  const MovingMasses<T> masses = make_masses<T>(specs, MassCarrier::body, false);
+  if (!masses.any()) return body;
+  const T factor = T(sign);
+  const MassSums<T>& sums = masses.at_release;
+  Body<T> made = body;
+  for (const MassOnPath<T>& one : masses.masses) made.mass += factor * one.mass;
+  made.p_PBcm_B = (body.mass * body.p_PBcm_B + factor * sums.mass_moment) / made.mass;
+  made.S_BP_B += factor * sums.second_moment;
+  made.I_BP_B += factor * inertia_of(sums.second_moment);
+  made.I_BP_B_inverse = symmetric_inverse(made.I_BP_B);
+  return made;
+}
+
 }  // namespace
 
 template <class T>
@@ -106,11 +122,32 @@ void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units) {
   model.kind = SceneKind::gyrostat;
 }
 
-#define EARTHTOP_ROTOR(T)                                                 \
-  template Rotor<T> make_rotor(const RotorSpec&);                         \
-  template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
-  template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
-  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);
+template <class T>
+Body<T> with_masses(const Body<T>& body, const std::vector<MovingMassSpec>& masses) {
+  return changed_by(body, masses, 1);
+}
+template <class T>
+Body<T> without_masses(const Body<T>& all, const std::vector<MovingMassSpec>& masses) {
+  return changed_by(all, masses, -1);
+}
+
+template <class T>
+void put_masses(Model<T>& model, const std::vector<MovingMassSpec>& masses, const NaturalUnits& units) {
+  model.masses = in_units(make_masses<T>(masses, MassCarrier::body, true), units.mass_exponent, units.time_exponent);
+  if (!model.masses.any() || model.kind == SceneKind::gyrostat) return;
+  model.rotor.driven = true;
+  model.rotor.axial = T(0);
+  model.kind = SceneKind::gyrostat;
+}
+
+#define EARTHTOP_ROTOR(T)                                                              \
+  template Rotor<T> make_rotor(const RotorSpec&);                                      \
+  template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool);              \
+  template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool);              \
+  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);                   \
+  template Body<T> with_masses(const Body<T>&, const std::vector<MovingMassSpec>&);    \
+  template Body<T> without_masses(const Body<T>&, const std::vector<MovingMassSpec>&); \
+  template void put_masses(Model<T>&, const std::vector<MovingMassSpec>&, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)
 EARTHTOP_ROTOR(float128)

@@ -22,7 +22,8 @@ bool has_table_friction(const Scene& scene) {
          (contact->law != ContactLaw::frictionless || contact->spinning_friction_m > 0 || contact->rolling_resistance_m > 0);
 }
 
-bool has_rotor(const Scene& scene) { return scene.scenario().rotor.has_value(); }
+/// Whether something moves in the body.
+bool moves_inside(const Scene& scene) { return scene.scenario().rotor || masses_move(scene.scenario()); }
 
 constexpr TorqueQuantity kTorques[] = {
     torque("tau_phys",
@@ -51,10 +52,10 @@ constexpr TorqueQuantity kTorques[] = {
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
     torque(
         "tau_cor_inertia", "part of the Coriolis torque: the change of the inertia that the observer sees",
-        "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, has_rotor),
+        "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, moves_inside),
     torque(
         "tau_cor_gyroscopic", "part of the Coriolis torque: gyroscopic, of the angular momentum that the observer sees",
-        "tau_cor_gyroscopic_N_m", [](const auto& r) { return r.tau_cor_gyroscopic_A; }, has_rotor),
+        "tau_cor_gyroscopic_N_m", [](const auto& r) { return r.tau_cor_gyroscopic_A; }, moves_inside),
     torque(
         "force_table", "force of the table on the tip", "force_table_N", [](const auto& r) { return r.force_table_A; },
         [](const Scene& scene) { return scene.support().has_contact; }, RowPart::torque, "_N"),

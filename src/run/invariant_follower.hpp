@@ -48,13 +48,17 @@ InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Mo
   const bool vertical = model.W_IL_L[0] == T(0) && model.W_IL_L[1] == T(0);
   const bool rotating =
       quantity.motion == ConservingMotion::rotating || (quantity.motion == ConservingMotion::about_up && vertical);
+  const ModelInTime<T> in_time(model);
   InvariantFollower<T> follower(quantity);
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     const T rate = !row.rotor ? T(0) : rotating ? row.rotor->rate_rad_s : row.rotor->ref_rate_rad_s;
+    const Model<T>& now = in_time.at(row.t_s);
+    const MassSums<T>* masses = in_time.masses_at(row.t_s);
     follower.include(quantity.on_pivot(
-        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate}
-                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate}));
+        rotating
+            ? InstantOnPivot<T>{now, now.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate, masses}
+            : InstantOnPivot<T>{now, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate, masses}));
   }
   return follower.report();
 }

@@ -22,6 +22,7 @@ nlohmann::json written_out(const Scenario& s) {
     below.list("solids", s.body.solids, [](auto& element, const auto& solid) { solid_keys(element, solid); });
   });
   if (s.rotor) root.object("rotor", true, [&](auto& below) { rotor_keys(below, *s.rotor); });
+  root.list("moving_masses", s.moving_masses, [](auto& element, const auto& mass) { moving_mass_keys(element, mass); });
   root.object("release", true, [&](auto& below) {
     below.word("rates_relative_to", s.release.rates_relative_to, kRateFrames);
     attitude_keys(below, s.release);

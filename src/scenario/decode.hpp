@@ -18,7 +18,8 @@ using input::excerpt, input::lists, input::Node, input::Section, input::split_wo
 std::optional<BodySpec> decode_body(const Section& body, bool has_rotor);
 
 /// Decodes the release; empty if it is not complete.
-std::optional<ReleaseSpec> decode_release(const Section& release, bool has_rotor);
+/// @param may_rest  whether the body's rate may be left out, because something else moves in it
+std::optional<ReleaseSpec> decode_release(const Section& release, bool may_rest);
 
 /// Decodes duration, output step and start, and checks the limit on rows.
 void decode_motion(const Section& motion, Scenario& scenario);
@@ -27,6 +28,11 @@ void decode_motion(const Section& motion, Scenario& scenario);
 /// cover (s)
 std::optional<RotorSpec> decode_rotor(const Section& root, const ScenarioSource& source, double duration_s);
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
+
+/// Decodes the masses that move in the body: those that are complete.
+std::vector<MovingMassSpec> decode_masses(const Section& root, const ScenarioSource& source, double duration_s);
+/// Checks that the effects, which must have been decoded, allow moving masses.
+void check_beside_masses(const Section& root, const Scenario& scenario);
 
 /// Checks that body and rotor together have moments about every axis.
 void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& rotor);

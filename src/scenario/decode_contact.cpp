@@ -89,6 +89,10 @@ void check_beside(const Section& root, const Scenario& scenario) {
                 "it holds the axis of a body that a pivot carries, and a tip on a table is free");
   if (root.has("rotor"))
     root.refuse_key("rotor", fmt::format("is not available with /contact: a gyrostat on a table is not modelled; {}", kLeave));
+  if (root.has("moving_masses"))
+    root.refuse_key(
+        "moving_masses",
+        fmt::format("is not available with /contact: masses that move in a top on a table are not modelled; {}", kLeave));
   if (root.has("platform"))
     root.refuse_key("platform",
                     fmt::format("is not available with /contact: a table that turns or swings is not modelled; {}", kLeave));

@@ -170,6 +170,33 @@ constexpr Field kOwnFields[] = {
     {"/rotor/regularisation_rad_s", number, "rad/s", above(0, 1e9), "", "",
      "rate below which the bearing's dry friction is proportional to it; required with it"},
 
+    {"/moving_masses", list, "", any(), "", "",
+     "masses, at most 64, that motors move on given paths in the body, which does not contain them; none if left out"},
+    {"/moving_masses/*", object, "", any(), "", "", "one mass, a point"},
+    {"/moving_masses/*/mass_kg", number, "kg", above(0, 1e6), "", "", "mass", kRequired},
+    {"/moving_masses/*/carrier", word, "", any(), WordsOf<kMassCarriers>::text, "\"body\"",
+     "what it rides on, and in whose axes its path is given"},
+    {"/moving_masses/*/motion", word, "", any(), WordsOf<kMassMotionRules>::text, "",
+     "kind of path; waypoints: straight lines on which it starts and stops smoothly", kRequired},
+    {"/moving_masses/*/center_m", vector3, "m", kLengths, "", "",
+     "fixed: its place; harmonic, circle: the middle, from the pivot"},
+    {"/moving_masses/*/amplitude_m", vector3, "m", kLengths, "", "", "harmonic: a in center + a sin(2 pi f t + phase)"},
+    {"/moving_masses/*/start_m", vector3, "m", kLengths, "", "",
+     "circle: s in center + s cos(2 pi f t + phase) + (axis x s) sin(2 pi f t + phase); perpendicular to the axis"},
+    {"/moving_masses/*/axis", vector3, "", kLengths, "", "", "circle: the axis about which it turns; any length but 0"},
+    {"/moving_masses/*/frequency_hz", number, "Hz", from(-1e6, 1e6), "", "",
+     "harmonic, circle: frequency; of a circle with its sign"},
+    {"/moving_masses/*/phase_deg", number, "deg", kAngles, "", "0", "harmonic, circle: phase at t = 0"},
+    {"/moving_masses/*/times_s", series, "s", from(0, 1e9), "", "",
+     "waypoints: the times at which it rests at the points, ascending; it rests at the first one before, and at the last one "
+     "after"},
+    {"/moving_masses/*/points_m", points, "m", kLengths, "", "", "waypoints: as many points as times, from the pivot"},
+    {"/moving_masses/*/file", text, "", any(), "", "",
+     "table: CSV file of places with the header t_s,x_m,y_m,z_m, joined by cubic splines; its times reach from 0 to the "
+     "duration"},
+    {"/moving_masses/*/file_sha256", text, "", any(), "", "",
+     "table: the SHA-256 that the file must have; not checked if left out"},
+
     {"/contact", object, "", any(), "", "",
      "a top whose tip stands on a table; the body's pivot is then the centre of the tip's sphere. If left out, the pivot is "
      "fixed"},

@@ -49,7 +49,9 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
     model.tide = tide_series<T>(scene).scaled(units.time_exponent);
     model.kind = SceneKind::full;
   }
-  if (scene.support().has_rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
+  if (!scene.support().has_rotor) return model;
+  if (scenario.rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
+  put_masses(model, scenario.moving_masses, units);
   return model;
 }
 template Model<double> model_of(const Scene&, const NaturalUnits&);

@@ -102,10 +102,9 @@ Scene Scene::without_rotation() const {
 template <class T>
 const Body<T>& Scene::body() const {
   return parts_->in<T>().body.get([this] {
-    const Body<T> body = make_body<T>(scenario().body);
-    const auto& rotor = scenario().rotor;
-    if (!rotor) return body;
-    return gyrostat_body(body, *rotor, has_axial_moment(*this));
+    Body<T> body = make_body<T>(scenario().body);
+    if (const auto& rotor = scenario().rotor) body = gyrostat_body(body, *rotor, has_axial_moment(*this));
+    return with_masses(body, scenario().moving_masses);
   });
 }
 template <class T>

@@ -45,13 +45,20 @@ class PivotLaws {
   virtual std::string too_stiff(const Scene& scene, const std::string& work) const;
 };
 
-struct RotorLaws final : PivotLaws {
+struct RotorLaws : PivotLaws {
   void check(const input::Section& root, const Scene& scene) const override;
   void fit_units(const Scene& scene, NaturalUnits& units) const override;
   ModelForm form(const Scene&, const IntegrationOptions&) const override { return ModelForm::general; }
   MethodChoice choose_method(const Scene& scene) const override;
   void add_figures(TopFigures& top, const Scene&, double) const override;
   std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
+};
+
+/// Masses that move in a body, with a rotor or without one.
+struct MassLaws final : RotorLaws {
+  double fastest_rate(const Scene& scene) const override;
+  Paced paced(const Scene& scene) const override;
+  void add_figures(TopFigures& top, const Scene&, double) const override;
 };
 
 struct PlatformLaws final : PivotLaws {

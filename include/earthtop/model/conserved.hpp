@@ -20,7 +20,8 @@ struct InstantOnPivot {
   Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
-  T rotor_rate = T(0);  ///< relative to the body
+  T rotor_rate = T(0);                  ///< relative to the body
+  const MassSums<T>* masses = nullptr;  ///< that move in the body, of which the model has the place at this instant
 
   /// The rotor's momentum about its axis: of a free rotor that of its inertial rate, of a driven one that of its rate in the body.
   T rotor_momentum() const {
@@ -58,10 +59,11 @@ struct PivotConditions {
   int symmetry_axis = -1;  ///< of a rigid body
   bool alone = false;      ///< whether only gravity and the Earth's rotation act
   bool has_rotor = false;
+  bool masses_move = false;      ///< in the body, so that motors work
   bool rotor_is_steady = false;  ///< whether neither friction nor a changing drive takes or gives energy
   bool rotor_keeps_momentum = false;
 
-  bool conserves_energy() const { return alone && (!has_rotor || rotor_is_steady); }
+  bool conserves_energy() const { return alone && !masses_move && (!has_rotor || rotor_is_steady); }
 };
 
 /// Whether all of the Earth's torques act on a top on a table, and neither a tide nor the gradient of gravitation does; and what
@@ -140,7 +142,9 @@ ConservedValue<T> routh(const InstantOnTable<T>& i) {
 /// The angular momentum about Up: conserved without the Earth's rotation, and at a pole.
 template <class T>
 ConservedValue<T> vertical_momentum(const InstantOnPivot<T>& i) {
-  const Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  if (i.model.kind == SceneKind::gyrostat) L_B += i.rotor_momentum() * i.model.rotor.axis_B;
+  if (i.masses) L_B += i.masses->momentum;
   return {L_B.dot(i.up_B()), norm(L_B)};
 }
 

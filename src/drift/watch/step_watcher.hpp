@@ -116,6 +116,7 @@ class StepWatcher {
   std::shared_ptr<const RotorState<T>> rotor_of([[maybe_unused]] const DriftState<T>& both,
                                                 [[maybe_unused]] const typename System::State& x, [[maybe_unused]] T t) const {
     if constexpr (requires { system_.rotor_state(x, t); }) {
+      if (!system_.has_rotor()) return nullptr;
       RotorState<T> rotor = system_.rotor_state(x, t);
       for (T* rate : {&rotor.rate, &rotor.ref_rate, &rotor.rate_difference_scaled}) *rate = units_.rate_to_rad_s(*rate);
       rotor.axis = drift_of_axis(both, rotor.axis_B);
