@@ -14,7 +14,7 @@ template <class T>
 using Piece = typename PiecewisePath<T>::Piece;
 
 template <class T>
-Vec3<T> vector(const std::array<double, 3>& v) {
+Vec3<T> from_numbers(const std::array<double, 3>& v) {
   return {T(v[0]), T(v[1]), T(v[2])};
 }
 
@@ -33,9 +33,9 @@ std::vector<Piece<T>> waypoint_pieces(const MovingMassSpec& spec) {
   const std::size_t size = spec.times_s.size();
   if (size < 2 || spec.points_m.size() != size)
     throw std::invalid_argument("waypoints: at least two times, and a point for each");
-  std::vector<Piece<T>> pieces{resting_piece<T>(T(0), vector<T>(spec.points_m[0]))};
+  std::vector<Piece<T>> pieces{resting_piece<T>(T(0), from_numbers<T>(spec.points_m[0]))};
   for (std::size_t i = 0; i + 1 < size; ++i) {
-    const Vec3<T> from = vector<T>(spec.points_m[i]), way = vector<T>(spec.points_m[i + 1]) - from;
+    const Vec3<T> from = from_numbers<T>(spec.points_m[i]), way = from_numbers<T>(spec.points_m[i + 1]) - from;
     const T start = T(spec.times_s[i]), length = T(spec.times_s[i + 1]) - start, cube = length * length * length;
     Piece<T> piece = resting_piece<T>(start, from);
     piece.coefficients[3] = (T(10) / cube) * way;
@@ -43,7 +43,7 @@ std::vector<Piece<T>> waypoint_pieces(const MovingMassSpec& spec) {
     piece.coefficients[5] = (T(6) / (cube * length * length)) * way;
     pieces.push_back(piece);
   }
-  pieces.push_back(resting_piece<T>(T(spec.times_s.back()), vector<T>(spec.points_m.back())));
+  pieces.push_back(resting_piece<T>(T(spec.times_s.back()), from_numbers<T>(spec.points_m.back())));
   if (pieces[1].start <= T(0)) pieces.erase(pieces.begin());
   return pieces;
 }
@@ -70,15 +70,15 @@ template <class T>
 MassOnPath<T> on_path(const MovingMassSpec& spec) {
   MassOnPath<T> one;
   one.mass = T(spec.mass_kg);
-  one.center = vector<T>(spec.center_m);
+  one.center = from_numbers<T>(spec.center_m);
   one.frequency = T(spec.frequency_hz);
   one.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
   switch (spec.motion) {
     case MassMotion::fixed: break;
-    case MassMotion::harmonic: one.sine = vector<T>(spec.amplitude_m); break;
+    case MassMotion::harmonic: one.sine = from_numbers<T>(spec.amplitude_m); break;
     case MassMotion::circle: {
-      const Vec3<T> axis = vector<T>(spec.axis), unit = axis / norm(axis);
-      one.cosine = vector<T>(spec.start_m);
+      const Vec3<T> axis = from_numbers<T>(spec.axis), unit = axis / norm(axis);
+      one.cosine = from_numbers<T>(spec.start_m);
       one.sine = unit.cross(one.cosine);
       break;
     }

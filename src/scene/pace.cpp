@@ -13,7 +13,7 @@
 namespace earthtop {
 namespace {
 
-double length(const std::array<double, 3>& v) { return real::hypot(v[0], v[1], v[2]); }
+double extent(const std::array<double, 3>& v) { return real::hypot(v[0], v[1], v[2]); }
 
 /// How far a mass is from the pivot at most, how fast it is, and the rate of its motion: of its turn or swing, or of the swing that a
 /// way between two points is half of.
@@ -24,16 +24,16 @@ PathDemand demand_of(const MovingMassSpec& mass) {
   PathDemand path;
   const double turning = 2 * std::numbers::pi * std::abs(mass.frequency_hz);
   switch (mass.motion) {
-    case MassMotion::fixed: return {length(mass.center_m), 0, 0};
+    case MassMotion::fixed: return {extent(mass.center_m), 0, 0};
     case MassMotion::harmonic:
     case MassMotion::circle: {
-      const double arm = length(mass.motion == MassMotion::circle ? mass.start_m : mass.amplitude_m);
-      return {length(mass.center_m) + arm, turning * arm, turning};
+      const double arm = extent(mass.motion == MassMotion::circle ? mass.start_m : mass.amplitude_m);
+      return {extent(mass.center_m) + arm, turning * arm, turning};
     }
     case MassMotion::waypoints: {
       constexpr double kFastest = 1.875;  // the slope of x^3 (10 - 15 x + 6 x^2) at x = 1/2
       for (std::size_t i = 0; i < mass.points_m.size(); ++i) {
-        path.reach_m = std::max(path.reach_m, length(mass.points_m[i]));
+        path.reach_m = std::max(path.reach_m, extent(mass.points_m[i]));
         if (i == 0) continue;
         const auto &a = mass.points_m[i - 1], &b = mass.points_m[i];
         const double time = mass.times_s[i] - mass.times_s[i - 1];
