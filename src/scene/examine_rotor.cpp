@@ -22,7 +22,9 @@ void RotorLaws::check(const input::Section& root, const Scene& scene) const {
   refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
   refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel");
   refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, "dry friction at the pivot of a gyrostat is not modelled");
-  constexpr const char* kWhole = "the torques of what moves in the body belong to all three";
+  const char* const kWhole = scene.support().kind == SupportKind::masses
+                                 ? "the torques of what moves in the body belong to all three"
+                                 : "the torques of a rotor's own motion belong to all three";
   refuse("coriolis", !effects.coriolis, kWhole);
   refuse("centrifugal", !effects.centrifugal, kWhole);
   refuse("transverse", !effects.transverse, kWhole);

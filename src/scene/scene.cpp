@@ -2,6 +2,7 @@
 #include "earthtop/scene/scene.hpp"
 
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "earthtop/model/gyrostat.hpp"
@@ -151,7 +152,8 @@ const NaturalUnits& Scene::units() const {
 
 double Scene::gravity_torque_N_m(double pivot_acceleration_m_s2) const {
   const Body<double>& top = body<double>();
-  return top.mass * (site().gravity_m_s2 + pivot_acceleration_m_s2) * norm(top.p_PBcm_B);
+  // Gravity may be below 0 by the step of a difference quotient.
+  return top.mass * (std::abs(site().gravity_m_s2) + pivot_acceleration_m_s2) * norm(top.p_PBcm_B);
 }
 double Scene::axial_gravity_torque_N_m() const {
   const Body<double>& top = body<double>();

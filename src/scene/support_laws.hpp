@@ -59,6 +59,7 @@ struct MassLaws final : RotorLaws {
   double fastest_rate(const Scene& scene) const override;
   Paced paced(const Scene& scene) const override;
   void add_figures(TopFigures& top, const Scene&, double) const override;
+  double evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const override;
 };
 
 struct PlatformLaws final : PivotLaws {

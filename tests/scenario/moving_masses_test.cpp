@@ -8,12 +8,12 @@
 namespace earthtop::scenario_test {
 namespace {
 
-constexpr const char* kFixed = R"("motion": "fixed", "center_m": [0, 0, 0.1])";
-constexpr const char* kHarmonic =
+constexpr const char* kResting = R"("motion": "fixed", "center_m": [0, 0, 0.1])";
+constexpr const char* kSwinging =
     R"("motion": "harmonic", "center_m": [0, 0, 0.1], "amplitude_m": [0.1, 0, 0], "frequency_hz": 1)";
-constexpr const char* kCircle =
+constexpr const char* kCircling =
     R"("motion": "circle", "center_m": [0, 0, 0.1], "start_m": [0.1, 0, 0], "axis": [0, 0, 1], "frequency_hz": 1)";
-constexpr const char* kWaypoints = R"("motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0.1], [0.1, 0, 0]])";
+constexpr const char* kOnWay = R"("motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0.1], [0.1, 0, 0]])";
 
 std::string masses(const std::string& mass) { return "[{\"mass_kg\": 0.01, " + mass + "}]"; }
 
@@ -34,7 +34,7 @@ void expect_refused_scene(Overrides overrides, const std::string& pointer, const
 }
 
 TEST(MovingMassRules, EachMotionIsRead) {
-  for (const char* mass : {kFixed, kHarmonic, kCircle, kWaypoints})
+  for (const char* mass : {kResting, kSwinging, kCircling, kOnWay})
     EXPECT_EQ(parse(kMinimal, {{"/moving_masses", masses(mass)}}).moving_masses.size(), 1u) << mass;
 }
 
@@ -44,11 +44,10 @@ TEST(MovingMassRules, KeysBelongToTheirMotion) {
   expect_mass(R"("motion": "circle", "center_m": [0, 0, 0], "start_m": [1, 0, 0], "frequency_hz": 1)", "/axis", "is missing");
   expect_mass(R"("motion": "waypoints", "times_s": [0, 1])", "/points_m", "is missing");
   expect_mass(R"("motion": "table")", "/file", "is missing");
-  expect_mass(std::string(kFixed) + R"(, "phase_deg": 1)", "/phase_deg",
+  expect_mass(std::string(kResting) + R"(, "phase_deg": 1)", "/phase_deg",
               "does not belong to the motion \"fixed\"; allowed with it: center_m");
-  expect_mass(std::string(kHarmonic) + R"(, "start_m": [1, 0, 0])", "/start_m", "does not belong to the motion \"harmonic\"");
-  expect_mass(std::string(kWaypoints) + R"(, "center_m": [1, 0, 0])", "/center_m",
-              "does not belong to the motion \"waypoints\"");
+  expect_mass(std::string(kSwinging) + R"(, "start_m": [1, 0, 0])", "/start_m", "does not belong to the motion \"harmonic\"");
+  expect_mass(std::string(kOnWay) + R"(, "center_m": [1, 0, 0])", "/center_m", "does not belong to the motion \"waypoints\"");
   expect_mass(R"("center_m": [0, 0, 0])", "/motion", "is missing; must be \"fixed\", \"harmonic\"");
   expect_mass(R"("motion": "spiral")", "/motion", "is \"spiral\"; must be");
 }
@@ -81,15 +80,15 @@ TEST(MovingMassRules, NumbersMakeSense) {
 
 TEST(MovingMassRules, AtMostSixtyFour) {
   std::string many = "[";
-  for (int i = 0; i < 65; ++i) many += std::string(i > 0 ? ", " : "") + "{\"mass_kg\": 1, " + kFixed + "}";
+  for (int i = 0; i < 65; ++i) many += std::string(i > 0 ? ", " : "") + "{\"mass_kg\": 1, " + kResting + "}";
   expect_set({{"/moving_masses", many + "]"}}, "/moving_masses", "has 65 masses; at most 64 are allowed");
   expect_set({{"/moving_masses", "[]"}}, "/moving_masses", "must be an array of at least one object");
 }
 
 TEST(MovingMassRules, WhatTheyAreNotAvailableWith) {
-  expect_mass(std::string(R"("carrier": "outer", )") + kFixed, "/carrier",
+  expect_mass(std::string(R"("carrier": "outer", )") + kResting, "/carrier",
               "there is no outer gimbal that could carry the mass");
-  const Overrides with{{"/moving_masses", masses(kHarmonic)}};
+  const Overrides with{{"/moving_masses", masses(kSwinging)}};
   const auto beside = [&](const std::string& pointer, const std::string& value, const std::string& place,
                           const std::string& part, Overrides more = {}) {
     Overrides overrides = with;
