@@ -110,14 +110,14 @@ void tell_turns_with_the_stars(Told& told) {
   if (!is_balanced || scenario.release.rates_relative_to != RatesRelativeTo::inertial || scenario.effects.applied.any() ||
       !(turned < kHalfTurn) || std::abs(last.drift_attitude_rad - turned) > last.drift_attitude_bound_rad + kRounding * turned)
     return;
-  told.add(
-      "turns_with_the_stars",
-      fmt::format("Nothing outside acts on the body and what moves in it, and both predictions start with the same rates in "
-                  "space: there they are "
-                  "the same motion, whatever happens between the parts. Seen from the laboratory the attitude turns with the "
-                  "stars, by |Ω| t = {}, and by {} in this run.",
-                  angle_text(turned, 10), angle_text(last.drift_attitude_rad, 10)),
-      {{"predicted_rad", turned}, {"computed_rad", last.drift_attitude_rad}});
+  const char* const parts = masses_move(scenario) ? "the body and what moves in it" : "body and rotor";
+  told.add("turns_with_the_stars",
+           fmt::format("Nothing outside acts on {}, and both predictions start with the same rates in "
+                       "space: there they are "
+                       "the same motion, whatever happens between {}. Seen from the laboratory the attitude turns with the "
+                       "stars, by |Ω| t = {}, and by {} in this run.",
+                       parts, parts, angle_text(turned, 10), angle_text(last.drift_attitude_rad, 10)),
+           {{"predicted_rad", turned}, {"computed_rad", last.drift_attitude_rad}});
 }
 
 }  // namespace

@@ -68,8 +68,12 @@ std::optional<std::string> RotorLaws::refuse(const MethodRow& row, const Scene& 
   const Method method = row.method;
   if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation || method == Method::rkf78)
     return std::nullopt;
-  return fmt::format("\"{}\" is not built for a body with {}; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
-                     row.word, scene.support().kind == SupportKind::masses ? "moving masses" : "a rotor");
+  if (scene.support().kind == SupportKind::masses)
+    return fmt::format(
+        "\"{}\" is not built for a body with moving masses; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+        row.word);
+  return fmt::format("\"{}\" is not built for a body with a rotor; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+                     row.word);
 }
 
 }  // namespace earthtop

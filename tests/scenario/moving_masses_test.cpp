@@ -71,6 +71,10 @@ TEST(MovingMassRules, NumbersMakeSense) {
               "give one point for each time");
   expect_mass(R"("motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0], [1, 0]])", "/points_m/1",
               "must be an array of 1 to 1000 rows of 3 numbers");
+  expect_mass(R"("motion": "waypoints", "times_s": [], "points_m": [[0, 0, 0], [1, 0, 0]])", "/times_s",
+              "must be an array of 1 to 1000 numbers from 0 to 1e+09 (s)");
+  expect_set({{"/criteria", R"([{"kind": "value", "quantity": "drift_axis_rad", "values": [], "tolerance": 1, "why": ""}])"}},
+             "/criteria/0/values", "must be an array of 1 to 4 numbers");
   EXPECT_NO_THROW(parse(
       kMinimal,
       {{"/moving_masses",
@@ -99,7 +103,8 @@ TEST(MovingMassRules, WhatTheyAreNotAvailableWith) {
   beside("/effects/gimbal", "true", "/effects/gimbal", "is not available with /moving_masses: it holds a rigid wheel",
          {{"/release/tilt_deg", "90"}});
   beside("/effects/air_drag", R"({"disc_radius_m": 0.1})", "/effects/air_drag", "is not available with /moving_masses");
-  beside("/contact", R"({"tip_radius_m": 0.002, "law": "frictionless"})", "/moving_masses", "is not available with /contact");
+  beside("/contact", R"({"tip_radius_m": 0.002, "law": "frictionless"})", "/moving_masses",
+         "is not available with /contact: masses that move in a top on a table are not modelled; leave one of the two out");
   for (const auto& [pointer, value, part] :
        {std::array{"/effects/coriolis", "false", "the torques of what moves in the body belong to all three"},
         std::array{"/effects/coulomb_torque_N_m", "1e-6", "dry friction at the pivot"}})
