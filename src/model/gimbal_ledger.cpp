@@ -20,20 +20,34 @@ struct Part {
   Mat3<T> I, S;
   Vec3<T> mass_moment;
   Turning<T> turning;      ///< relative to inertial space
-  Vec3<T> inside, change;  ///< momentum of what turns in it relative to it, and its rate as seen from the part
+  Vec3<T> inside, change;  ///< momentum of what moves in it relative to it, and its rate as seen from the part
+  Mat3<T> inside_moment;   ///< the velocity moment of what moves in it, relative to it
+  Mat3<T> I_rate;          ///< of its inertia, as seen from the part
 };
 
+/// @param I  of all that turns with it   @param masses  that move on it
 template <class T>
-Part<T> part_of(const Mat3<T>& R, const Mat3<T>& I, const Mat3<T>& second_moment, const Vec3<T>& mass_moment) {
-  const Vec3<T> nothing = Vec3<T>::Zero();
-  return {turned_tensor(R, I), turned_tensor(R, second_moment), times(R, mass_moment), {}, nothing, nothing};
+Part<T> part_of(const Mat3<T>& R, const Mat3<T>& I, const CarriedPart<T>& part, const MovingMasses<T>& masses, const T& t) {
+  Part<T> made{turned_tensor(R, I),
+               turned_tensor(R, part.S),
+               times(R, part.mass_moment),
+               {},
+               times(R, part.momentum),
+               Vec3<T>::Zero(),
+               turned_tensor(R, part.velocity_moment),
+               Mat3<T>::Zero()};
+  if (!masses.any()) return made;
+  const MassSums<T> sums = masses.sums(t);
+  made.change = times(R, sums.momentum_rate), made.I_rate = turned_tensor(R, sums.inertia_rate());
+  return made;
 }
 
 /// The torque that a part needs for its motion in inertial space: the rate of its momentum.
 template <class T>
 Vec3<T> needed(const Part<T>& part) {
   const Vec3<T>& w = part.turning.w;
-  return times(part.I, part.turning.alpha) + w.cross(Vec3<T>(times(part.I, w) + part.inside)) + part.change;
+  return times(part.I, part.turning.alpha) + times(part.I_rate, w) + w.cross(Vec3<T>(times(part.I, w) + part.inside)) +
+         part.change;
 }
 
 /// The motion of all parts at one instant, solved for the accelerations of the gimbals by the balances of torque about both axes
@@ -54,8 +68,11 @@ Suspension<T> suspension_at(const Model<T>& model, const Turning<T>& carrier, co
   Mat3<T> skew = Mat3<T>::Identity();
   skew(1, 1) = skew(2, 2) = gimbals.skew_cos, skew(2, 1) = gimbals.skew_sin, skew(1, 2) = -gimbals.skew_sin;
   const Mat3<T> R_PA = gimbals.R_P0 * turn(2, at.outer), R_PB = R_PA * skew * turn(1, at.inner);
-  Suspension<T> s{part_of<T>(R_PA, gimbals.ring.I, gimbals.ring.S, gimbals.ring.mass_moment),
-                  part_of<T>(R_PB, inertia_of_all(model), model.S_BP_B, model.mass_moment_B),
+  const CarriedParts<T> now = carried_parts(model, t);
+  Mat3<T> I_whole = now.body.I;
+  if (!rotor.driven) I_whole += rotor.axial * (rotor.axis_B * rotor.axis_B.transpose());
+  Suspension<T> s{part_of<T>(R_PA, now.ring.I, now.ring, gimbals.masses, t),
+                  part_of<T>(R_PB, I_whole, now.body, model.masses, t),
                   R_PA.col(2),
                   R_PB.col(1),
                   spin,
@@ -63,7 +80,9 @@ Suspension<T> suspension_at(const Model<T>& model, const Turning<T>& carrier, co
   const Vec3<T> c = times(R_PB, rotor.axis_B);
   s.ring.turning.w = carrier.w + at.outer_rate * s.a;
   s.body.turning.w = s.ring.turning.w + at.inner_rate * s.b;
-  s.body.inside = (rotor.axial * spin) * c;
+  const Vec3<T> of_masses = s.body.inside, change_of_masses = s.body.change;
+  s.body.inside += (rotor.axial * spin) * c;
+  s.body.inside_moment += cross_matrix(Vec3<T>((rotor.axial * spin / T(-2)) * c));
   // Accelerations without those of the angles: of the carrier, and of the axes that turn with it.
   s.ring.turning.alpha = carrier.alpha + at.outer_rate * carrier.w.cross(s.a);
   s.body.turning.alpha = s.ring.turning.alpha + at.inner_rate * s.ring.turning.w.cross(s.b);
@@ -74,8 +93,8 @@ Suspension<T> suspension_at(const Model<T>& model, const Turning<T>& carrier, co
   Mat3<T> I_free = s.body.I;
   if (!rotor.driven) I_free -= rotor.axial * (c * c.transpose());
   Part<T> body = s.body;
-  body.I = I_free, body.change = s.torque_on_rotor * c;
-  if (!rotor.driven) body.inside = (rotor.axial * (spin + c.dot(s.body.turning.w))) * c;
+  body.I = I_free, body.change = change_of_masses + s.torque_on_rotor * c;
+  if (!rotor.driven) body.inside = of_masses + (rotor.axial * (spin + c.dot(s.body.turning.w))) * c;
   const Vec3<T> left_ring = torque[0] - needed(s.ring), left_body = torque[1] - needed(body);
   const Vec3<T> I_a = times(I_free, s.a), I_b = times(I_free, s.b);
   const T m11 = s.a.dot(times(s.ring.I, s.a)) + s.a.dot(I_a), m12 = s.a.dot(I_b), m22 = s.b.dot(I_b);
@@ -93,7 +112,7 @@ Suspension<T> suspension_at(const Model<T>& model, const Turning<T>& carrier, co
   s.ring.turning.alpha += outer * s.a;
   s.body.turning.alpha += outer * s.a + inner * s.b;
   const T carried = rotor.driven ? T(0) : T(rotor.axial * c.dot(s.body.turning.alpha));
-  s.body.change = (s.torque_on_rotor - carried) * c;
+  s.body.change = change_of_masses + (s.torque_on_rotor - carried) * c;
   return s;
 }
 
@@ -140,11 +159,11 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
   Vec3<T> dL = Vec3<T>::Zero();
   for (const Part<T>* part : {&s.ring, &s.body}) {
     const Vec3<T> w = part->turning.w - X.w;
-    J += velocity_moment(part->S, w) + cross_matrix(Vec3<T>(part->inside / T(-2)));
+    J += velocity_moment(part->S, w) + part->inside_moment;
     S += part->S;
     // In X the rate of w is that in inertial space, less what X itself turns and accelerates.
     const Vec3<T> w_dot = part->turning.alpha - X.alpha - X.w.cross(w);
-    dL += times(part->I, w_dot) + w.cross(Vec3<T>(times(part->I, w) + part->inside)) + part->change;
+    dL += times(part->I, w_dot) + times(part->I_rate, w) + w.cross(Vec3<T>(times(part->I, w) + part->inside)) + part->change;
   }
   entry.tau_phys_A = torque[0] + torque[1];
   entry.tau_cor_A = coriolis_torque(X.w, J);

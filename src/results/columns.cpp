@@ -22,7 +22,10 @@ bool has_table_friction(const Scene& scene) {
          (contact->law != ContactLaw::frictionless || contact->spinning_friction_m > 0 || contact->rolling_resistance_m > 0);
 }
 
-bool has_parts(const Scene& scene) { return scene.scenario().rotor || scene.scenario().gimbals; }
+/// Whether something moves in the body, or the body in gimbals.
+bool has_parts(const Scene& scene) {
+  return scene.scenario().rotor || scene.scenario().gimbals || masses_move(scene.scenario());
+}
 bool has_gimbals(const Scene& scene) { return scene.scenario().gimbals.has_value(); }
 
 constexpr TorqueQuantity kTorques[] = {

@@ -262,7 +262,8 @@ constexpr auto kDriftMembers = [] {
       compared("growth_of_disturbances.earth_grown_s", time, span, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
       // What happened to a Cardan suspension on its way.
       list("gimbal_events", [](R r) { return r.gimbal_events.size(); }),
-      compared("gimbal_events.*.type", word, at_event, kFromRows, [](R r, I i) { return to_string(r.gimbal_events[i].kind); }),
+      of_event(compared("gimbal_events.*.type", word, at_event, kFromRows,
+                        [](R r, I i) { return to_string(r.gimbal_events[i].kind); })),
       of_event(compared("gimbal_events.*.t_s", time, at_event, kFromRows, [](R r, I i) { return r.gimbal_events[i].t_s; })),
       of_event(
           compared("gimbal_events.*.bound_s", error, at_event, kFromRows, [](R r, I i) { return r.gimbal_events[i].bound_s; })),

@@ -36,12 +36,13 @@ PivotConditions conditions_of(const Scene& scene) {
   conditions.gimbals = scene.scenario().gimbals ? &*scene.scenario().gimbals : nullptr;
   if (conditions.gimbals != nullptr) conditions.outer_axis_without_gravity = is_without_gravity_about_outer_axis(scene);
   const auto& rotor = scene.scenario().rotor;
+  conditions.masses_move = masses_move(scene.scenario());
   conditions.has_rotor = rotor.has_value();
   if (!rotor) {
     conditions.symmetry_axis = scene.symmetry_axis();
     return conditions;
   }
-  conditions.rotor_keeps_momentum = rotor->drive == RotorDrive::none && !rotor->has_friction();
+  conditions.rotor_keeps_momentum = !conditions.masses_move && rotor->drive == RotorDrive::none && !rotor->has_friction();
   conditions.rotor_is_steady = conditions.rotor_keeps_momentum || rotor->drive == RotorDrive::constant;
   return conditions;
 }
@@ -79,7 +80,7 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
-  if (!scene.is_plain() && !scene.scenario().rotor && !scene.scenario().gimbals) return {};
+  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor) return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
                                       : follow_invariants(scene, result.extended_rows, watch);
 }

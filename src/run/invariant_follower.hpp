@@ -59,15 +59,19 @@ InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Mo
                         (quantity.motion == ConservingMotion::about_up && norm(across_up) == T(0)) ||
                         (quantity.motion == ConservingMotion::about_outer_axis &&
                          norm(across_outer) <= T(kRounding) * real::epsilon<T>() * norm(model.W_IL_L));
+  const ModelInTime<T> in_time(model);
   InvariantFollower<T> follower(quantity);
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     const T rate = !row.rotor ? T(0) : rotating ? row.rotor->rate_rad_s : row.rotor->ref_rate_rad_s;
     const GimbalAngles<T> gimbals = row.gimbals ? gimbal_angles(*row.gimbals, rotating) : GimbalAngles<T>();
+    const Model<T>& now = row.gimbals ? model : in_time.at(row.t_s);
+    const MassSums<T>* masses = in_time.masses_at(row.t_s);
     follower.include(quantity.on_pivot(
-        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate, gimbals}
-                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate,
-                                     gimbals}));
+        rotating
+            ? InstantOnPivot<T>{now, now.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate, gimbals, masses, row.t_s}
+            : InstantOnPivot<T>{now, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate, gimbals,
+                                masses, row.t_s}));
   }
   return follower.report();
 }

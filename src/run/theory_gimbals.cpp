@@ -80,8 +80,8 @@ std::optional<TheoryReport> magnus_drift(const Scene& scene, const std::vector<D
   if (!rate) return std::nullopt;
   const auto inner = fitted_swing(looks, *rate, reference_inner), outer = fitted_swing(looks, *rate, reference_outer);
   const double X = inner->amplitude, b = inner->middle, h = gimbal_rotor_momentum(scene);
-  constexpr double kLeast = 1e-9;  // rad: less is rounding
-  if (!(X > kLeast) || !(inner->rest < 0.1 * X)) return std::nullopt;
+  constexpr double kSmallest = 1e-9;  // rad: less is rounding
+  if (!(X > kSmallest) || !(inner->rest < 0.1 * X)) return std::nullopt;
   const Model<double>& model = scene.model<double>();
   const Mat3<double>&ring = model.gimbals.ring.I, &body = model.I_BP_B;
   const double sine = real::sin(b), cosine = real::cos(b);

@@ -15,7 +15,7 @@ namespace earthtop::why {
 namespace {
 
 /// The largest Coriolis torque that the laboratory sees on all parts, and what of it is gyroscopic.
-void tell_coriolis_torque(Told& told) {
+void tell_coriolis_on_all_parts(Told& told) {
   const Model<double>& model = told.scene.model<double>();
   double all = 0, gyroscopic = 0;
   for (const DriftRow& look : told.result.looks) {
@@ -32,7 +32,7 @@ void tell_coriolis_torque(Told& told) {
            {{"coriolis_torque_N_m", all}, {"gyroscopic_N_m", gyroscopic}});
 }
 
-bool agrees(const TheoryReport& theory) {
+bool holds_in_run(const TheoryReport& theory) {
   return theory.applies && theory.computed &&
          std::abs(*theory.computed - theory.predicted) <= theory.predicted_error + theory.computed_error.value_or(0);
 }
@@ -101,9 +101,9 @@ void tell_imitations(Told& told) {
 
 void tell_with_gimbals(Told& told) {
   tell_earth_turns(told);
-  tell_coriolis_torque(told);
+  tell_coriolis_on_all_parts(told);
   for (const TheoryReport& theory : told.result.theory) {
-    if (!agrees(theory)) continue;
+    if (!holds_in_run(theory)) continue;
     if (theory.name == "free_gyro_axis_drift") tell_kept_direction(told, theory);
     if (theory.name == "magnus_drift") tell_magnus(told, theory);
     if (theory.name.ends_with("_period")) tell_period(told, theory);

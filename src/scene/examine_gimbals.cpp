@@ -22,8 +22,7 @@ struct ReleasedGimbals {
   double torque;         ///< the largest of gravity (N m)
 
   explicit ReleasedGimbals(const Scene& scene)
-      : gimbals(make_gimbals<double>(*scene.scenario().gimbals, *scene.scenario().release.gimbals)),
-        momentum(norm(rotor_momentum(scene))) {
+      : gimbals(gimbals_of<double>(scene.scenario())), momentum(norm(rotor_momentum(scene))) {
     const Body<double>& body = scene.body<double>();
     const GimbalAngles<double>& at = gimbals.release;
     const GimbalPose<double, double> pose{gimbals, real::sin_cos(at.outer), real::sin_cos(at.inner)};
@@ -32,7 +31,8 @@ struct ReleasedGimbals {
     const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(body.I_BP_B, Eigen::EigenvaluesOnly);
     m11_most = gimbals.ring.I(2, 2) + moments.eigenvalues()[2];
     const double field = scene.site().gravity_m_s2 + scene.platform_demand().acceleration_m_s2;
-    torque = field * (norm(Vec3<double>(body.mass * body.p_PBcm_B)) + norm(gimbals.ring.mass_moment));
+    torque = field *
+             (norm(Vec3<double>(body.mass * body.p_PBcm_B)) + norm(gimbals.ring.mass_moment) + masses_pace(scene).moment_kg_m);
   }
   /// Whether the equations can be solved for the accelerations.
   bool is_solvable() const {
@@ -106,6 +106,8 @@ double SuspensionLaws::fastest_rate(const Scene& scene) const {
   // With one gimbal locked the rotor is a compass, or a gyroscope that feels the turning of its carrier.
   if (at.nutation() == 0) rate += std::sqrt(at.momentum * carried / least);
   if (scenario.rotor) rate += 2 * std::numbers::pi * std::abs(scenario.rotor->frequency_hz);
+  const MassesPace masses = masses_pace(scene);
+  rate += masses.rate_rad_s + masses.momentum_kg_m2_s / least;
   return std::max(rate, 1 / scenario.duration_s);
 }
 
@@ -120,6 +122,7 @@ Paced SuspensionLaws::paced(const Scene& scene) const {
   pace.judgement_looks = kJudgementLooks;
   pace.axis_rate_rad_s = rate;
   for (const FiledTable* table : tables_of(scenario)) pace.joints += static_cast<double>(table->rows->t_s.size());
+  pace.joints += masses_pace(scene).joints;
   pace.turning_rad = pace.watched_angle_rad = std::max(1.0, rate * time);
   const auto damp = [&](std::string_view pointer, double viscous, double coulomb, double regularisation, double moment) {
     const double steepest = viscous + (coulomb > 0 ? coulomb / regularisation : 0), damping = steepest / moment * time;

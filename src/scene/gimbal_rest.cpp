@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "earthtop/model/gimbal_equations.hpp"
+#include "earthtop/scenario/support.hpp"
 
 namespace earthtop {
 namespace {
@@ -108,7 +109,7 @@ double gimbal_rotor_momentum(const Scene& scene) {
   const GimbalAngles<double>& at = model.gimbals.release;
   const GimbalPose<double, double> pose{model.gimbals, real::sin_cos(at.outer), real::sin_cos(at.inner)};
   const PrescribedMotion<double>& turn = model.platform.turn;
-  return gimbal_momenta(model, pose, at.outer_rate, at.inner_rate, model.rotor.spin,
+  return gimbal_momenta(model, carried_parts(model, 0.0), pose, at.outer_rate, at.inner_rate, model.rotor.spin,
                         Vec3<double>(turn.angle_rate(0) * turn.axis), 0.0)
       .rotor;
 }
@@ -136,7 +137,7 @@ bool has_magnus_drift(const Scene& scene) {
   const auto has_products = [](const Mat3<double>& I) { return I(0, 1) != 0 || I(0, 2) != 0 || I(1, 2) != 0; };
   const bool is_balanced = scene.site().gravity_m_s2 == 0 ||
                            (model.mass_moment_B == Vec3<double>::Zero() && gimbals.ring.mass_moment == Vec3<double>::Zero());
-  return gimbals.has_rotor && !scenario.platform && scenario.effects.plain() && is_balanced &&
+  return gimbals.has_rotor && !masses_move(scenario) && !scenario.platform && scenario.effects.plain() && is_balanced &&
          is_bare(scenario.gimbals->outer) && is_bare(scenario.gimbals->inner) && scenario.gimbals->axis_skew_deg == 0 &&
          !has_products(gimbals.ring.I) && !has_products(model.I_BP_B) &&
          model.rotor.axis_B == Vec3<double>(Vec3<double>::UnitZ()) && !model.rotor.driven && !scenario.rotor->has_friction();
@@ -145,7 +146,7 @@ bool has_magnus_drift(const Scene& scene) {
 std::optional<GimbalRest> gimbal_rest(const Scene& scene, Prediction prediction) {
   const Model<Real>& model = scene.model<Real>();
   const auto& platform = scene.scenario().platform;
-  if (platform && platform->motion != PlatformMotion::constant) return std::nullopt;
+  if (masses_move(scene.scenario()) || (platform && platform->motion != PlatformMotion::constant)) return std::nullopt;
   const bool rotates = prediction == Prediction::rotating;
   const Vec3<Real> w_LP = model.platform.turn.angle_rate(Real(0)) * model.platform.turn.axis;
   const Vec3<Real> turning = rotates ? Vec3<Real>(w_LP + model.W_IL_L) : w_LP;
@@ -155,9 +156,10 @@ std::optional<GimbalRest> gimbal_rest(const Scene& scene, Prediction prediction)
   const Gimbals<Real>& gimbals = model.gimbals;
   const GimbalAngles<Real>& at = gimbals.release;
   const GimbalPose<Real, Real> pose{gimbals, real::sin_cos(at.outer), real::sin_cos(at.inner)};
-  const Real h = gimbals.has_rotor
-                     ? gimbal_momenta(model, pose, at.outer_rate, at.inner_rate, model.rotor.spin, turning, Real(0)).rotor
-                     : Real(0);
+  const Real h = gimbals.has_rotor ? gimbal_momenta(model, carried_parts(model, Real(0)), pose, at.outer_rate, at.inner_rate,
+                                                    model.rotor.spin, turning, Real(0))
+                                         .rotor
+                                   : Real(0);
   const Potential R(model, turning, h);
   const std::array<bool, 2> is_free{!gimbals.outer.locked, !gimbals.inner.locked};
   Pair q{at.outer, at.inner};

@@ -44,8 +44,7 @@ class OfPoints {
     spec.axis_tilt_deg = number(0, 180), spec.axis_azimuth_deg = number(-180, 180), spec.axis_skew_deg = number(-30, 30);
     spec.outer = {false, number(0, 0.2), number(0, 0.2), 0.3, number(0, 2), number(-90, 90)};
     spec.inner = {false, number(0, 0.2), number(0, 0.2), 0.2, number(0, 2), number(-90, 90)};
-    model_.gimbals = make_gimbals<T>(spec, {});
-    model_.gimbals.has_rotor = true;
+    model_.gimbals = make_gimbals<T>(spec, {}, {}, true);
     for (int i = 0; i < 5; ++i) ring_.push_back(point()), body_.push_back(point());
     Vec3<T> axis(number(-1, 1), number(-1, 1), number(0.2, 1)), across(T(1), T(0), T(0));
     axis /= norm(axis);
@@ -175,17 +174,19 @@ TEST(GimbalEquations, MomentaAndTheirRatesAreThoseOfMassPoints) {
     const Model<T>& model = scene.model();
     const auto around = of_rotating(gimbal_surroundings<false>(model, scene.t()));
     const auto& rate = scene.rate();
-    const GimbalMomenta<T> p = gimbal_momenta(model, scene.pose(), rate[0], rate[1], rate[2], around.turning, scene.t());
+    const GimbalMomenta<T> p = gimbal_momenta(model, carried_parts(model, scene.t()), scene.pose(), rate[0], rate[1], rate[2],
+                                              around.turning, scene.t());
     const Angles of_points = scene.momenta();
     expect_near(p.outer, of_points[0], "outer momentum");
     expect_near(p.inner, of_points[1], "inner momentum");
     expect_near(p.rotor, of_points[2], "momentum of the rotor");
 
-    const GimbalMotion<T> m = gimbal_motion(model, scene.pose(), p, around.turning, scene.t());
+    const GimbalMotion<T> m = gimbal_motion(model, carried_parts(model, scene.t()), scene.pose(), p, around.turning, scene.t());
     expect_near(m.outer_rate, rate[0], "outer rate");
     expect_near(m.inner_rate, rate[1], "inner rate");
     expect_near(m.rotor_rate, rate[2], "rate of the rotor");
-    const GimbalMomenta<T> change = earthtop::momentum_rates<false>(model, scene.pose(), scene.q()[0], scene.q()[1], m, around);
+    const GimbalMomenta<T> change = earthtop::momentum_rates<false>(model, carried_parts(model, scene.t()), scene.pose(),
+                                                                    scene.q()[0], scene.q()[1], m, around);
     const Angles force = scene.momentum_rates();
     expect_near(change.outer - bearing_torque(model.gimbals.outer, scene.q()[0], rate[0]), force[0], "outer torque");
     expect_near(change.inner - bearing_torque(model.gimbals.inner, scene.q()[1], rate[1]), force[1], "inner torque");
@@ -206,7 +207,8 @@ TEST(GimbalEquations, LaboratoryTorquesAccountForTheEarth) {
       const T t = scene.t() + s;
       const auto inertial = of_rotating(gimbal_surroundings<false>(model, t));
       const Vec3<T> turning = laboratory ? of_rotating(gimbal_surroundings<true>(model, t)).turning : inertial.turning;
-      const GimbalMomenta<T> p = gimbal_momenta(model, pose, rate[0], rate[1], rate[2], turning, t);
+      const GimbalMomenta<T> p =
+          gimbal_momenta(model, carried_parts(model, scene.t()), pose, rate[0], rate[1], rate[2], turning, t);
       return Angles{p.outer, p.inner, p.rotor};
     };
     const Angles of_points = scene.momenta(false), relative = momenta(T(0), true);
@@ -215,9 +217,10 @@ TEST(GimbalEquations, LaboratoryTorquesAccountForTheEarth) {
     const auto rates = [&]<bool kLaboratory>(std::bool_constant<kLaboratory>) {
       const auto around = of_rotating(gimbal_surroundings<kLaboratory>(model, scene.t()));
       const Angles p = momenta(T(0), kLaboratory);
-      const GimbalMotion<T> m =
-          gimbal_motion(model, scene.pose(), GimbalMomenta<T>{p[0], p[1], p[2]}, around.turning, scene.t());
-      const GimbalMomenta<T> r = earthtop::momentum_rates<kLaboratory>(model, scene.pose(), q[0], q[1], m, around);
+      const GimbalMotion<T> m = gimbal_motion(model, carried_parts(model, scene.t()), scene.pose(),
+                                              GimbalMomenta<T>{p[0], p[1], p[2]}, around.turning, scene.t());
+      const GimbalMomenta<T> r =
+          earthtop::momentum_rates<kLaboratory>(model, carried_parts(model, scene.t()), scene.pose(), q[0], q[1], m, around);
       return Angles{r.outer, r.inner, r.rotor};
     };
     const Angles laboratory = rates(std::true_type()), inertial = rates(std::false_type());
@@ -255,17 +258,19 @@ TEST(GimbalEquations, LedgerHasTheAccelerationsOfTheMomenta) {
     const auto entry = ledger_entry_in_gimbals(LedgerObserver::platform, model, scene.t(), angles, scene.rate()[2]);
     const auto around = of_rotating(gimbal_surroundings<false>(model, scene.t()));
     const auto& rate = scene.rate();
-    const GimbalMomenta<T> p = gimbal_momenta(model, scene.pose(), rate[0], rate[1], rate[2], around.turning, scene.t());
-    const GimbalMotion<T> m = gimbal_motion(model, scene.pose(), p, around.turning, scene.t());
-    const GimbalMomenta<T> change = earthtop::momentum_rates<false>(model, scene.pose(), angles.outer, angles.inner, m, around);
+    const GimbalMomenta<T> p = gimbal_momenta(model, carried_parts(model, scene.t()), scene.pose(), rate[0], rate[1], rate[2],
+                                              around.turning, scene.t());
+    const GimbalMotion<T> m = gimbal_motion(model, carried_parts(model, scene.t()), scene.pose(), p, around.turning, scene.t());
+    const GimbalMomenta<T> change = earthtop::momentum_rates<false>(model, carried_parts(model, scene.t()), scene.pose(),
+                                                                    angles.outer, angles.inner, m, around);
     // In P the outer axis is fixed, and a.L' is what the platform sees: the rest is the momentum of the carrier's own turn.
     const auto seen = [&](const T& s) {
       const auto later = of_rotating(gimbal_surroundings<false>(model, T(scene.t() + s)));
       const GimbalPose<T, T> pose{model.gimbals, real::sin_cos(T(angles.outer + s * rate[0])),
                                   real::sin_cos(T(angles.inner + s * rate[1]))};
       const Vec3<T> still = Vec3<T>::Zero();
-      return T(gimbal_momenta(model, pose, T(0), T(0), T(0), later.turning, T(0)).outer -
-               gimbal_momenta(model, pose, T(0), T(0), T(0), still, T(0)).outer);
+      return T(gimbal_momenta(model, carried_parts(model, scene.t()), pose, T(0), T(0), T(0), later.turning, T(0)).outer -
+               gimbal_momenta(model, carried_parts(model, scene.t()), pose, T(0), T(0), T(0), still, T(0)).outer);
     };
     const T of_carrier = OfPoints::derivative(seen);
     const Vec3<T> a_P = model.gimbals.R_P0.col(2);

@@ -21,8 +21,10 @@ struct InstantOnPivot {
   Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
-  T rotor_rate = T(0);           ///< relative to the body
-  GimbalAngles<T> gimbals = {};  ///< of a Cardan suspension
+  T rotor_rate = T(0);                  ///< relative to the body
+  GimbalAngles<T> gimbals = {};         ///< of a Cardan suspension
+  const MassSums<T>* masses = nullptr;  ///< that move in the body, of which the model has the place at this instant
+  T t = T(0);                           ///< of a suspension, whose model is that of the release
 
   /// The rotor's momentum about its axis: of a free rotor that of its inertial rate, of a driven one that of its rate in the body.
   T rotor_momentum() const {
@@ -62,15 +64,16 @@ struct PivotConditions {
   const GimbalsSpec* gimbals = nullptr;     ///< null without a Cardan suspension
   bool outer_axis_without_gravity = false;  ///< of a suspension: whether gravity has no moment about its outer axis
   bool has_rotor = false;
+  bool masses_move = false;      ///< in the body, so that motors work
   bool rotor_is_steady = false;  ///< whether neither friction nor a changing drive takes or gives energy
   bool rotor_keeps_momentum = false;
 
-  bool conserves_energy() const { return alone && (!has_rotor || rotor_is_steady) && !bearings_brake(); }
+  bool conserves_energy() const { return alone && !masses_move && (!has_rotor || rotor_is_steady) && !bearings_brake(); }
   bool bearings_brake() const {
     const auto brakes = [](const BearingSpec& b) { return b.viscous_torque_N_m_s != 0 || b.coulomb_torque_N_m != 0; };
     return gimbals != nullptr && (brakes(gimbals->outer) || brakes(gimbals->inner));
   }
-  /// The bearing of the inner axis, and the rotor's, act between parts that the outer axis carries.
+  /// The bearing of the inner axis, the rotor's and the motors of masses act between parts that the outer axis carries.
   bool conserves_outer_momentum() const {
     if (gimbals == nullptr || !alone || !outer_axis_without_gravity) return false;
     const BearingSpec& outer = gimbals->outer;
@@ -105,14 +108,16 @@ namespace conserved {
 template <class T>
 struct SeenSuspension {
   GimbalPose<T, T> pose;
+  CarriedParts<T> parts;
   GimbalMomenta<T> momenta;
   GimbalMotion<T> motion;
   Vec3<T> W_A, W_B;
 
   explicit SeenSuspension(const InstantOnPivot<T>& i)
       : pose{i.model.gimbals, real::sin_cos(i.gimbals.outer), real::sin_cos(i.gimbals.inner)},
-        momenta(gimbal_momenta(i.model, pose, i.gimbals.outer_rate, i.gimbals.inner_rate, i.rotor_rate, i.W_IL_L, T(0))),
-        motion(gimbal_motion(i.model, pose, momenta, i.W_IL_L, T(0))),
+        parts(carried_parts(i.model, i.t)),
+        momenta(gimbal_momenta(i.model, parts, pose, i.gimbals.outer_rate, i.gimbals.inner_rate, i.rotor_rate, i.W_IL_L, i.t)),
+        motion(gimbal_motion(i.model, parts, pose, momenta, i.W_IL_L, i.t)),
         W_A(pose.into_ring(i.W_IL_L)),
         W_B(pose.into_body(W_A)) {}
 };
@@ -198,7 +203,9 @@ ConservedValue<T> routh(const InstantOnTable<T>& i) {
 /// The angular momentum about Up: conserved without the Earth's rotation, and at a pole.
 template <class T>
 ConservedValue<T> vertical_momentum(const InstantOnPivot<T>& i) {
-  const Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  if (i.model.kind == SceneKind::gyrostat) L_B += i.rotor_momentum() * i.model.rotor.axis_B;
+  if (i.masses) L_B += i.masses->momentum;
   return {L_B.dot(i.up_B()), norm(L_B)};
 }
 
