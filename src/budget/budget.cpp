@@ -256,14 +256,14 @@ void require_sizes(const Support& support) {
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
-  if (scene.support().has_rotor) return gyrostat_budget_seconds(scene);
+  if (scene.support().has_moving_parts()) return gyrostat_budget_seconds(scene);
   require_sizes(scene.support());
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
-  if (scene.support().has_rotor) return gyrostat_budget(scene, watch);
+  if (scene.support().has_moving_parts()) return gyrostat_budget(scene, watch);
   require_sizes(scene.support());
   const NaturalUnits& units = scene.problem_without_rows<double>().units;
   const Preparation prepared(scene);

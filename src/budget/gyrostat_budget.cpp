@@ -10,6 +10,7 @@
 #include "budget/drift_scene.hpp"
 #include "budget/effects.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/model/gimbal_ledger.hpp"
 #include "earthtop/model/gyrostat.hpp"
 #include "earthtop/scenario/support.hpp"
 
@@ -38,6 +39,17 @@ Sizes sizes_of(const Scene& scene, const DriftTrajectory<double>& drift) {
     const bool is_release = &sample == &drift.samples.front();
     const Vec3<double> W_B = transposed_times(rotation_matrix(sample.state.q_LB), model.W_IL_L);
     const double rate = sample.rotor ? sample.rotor->rate : 0, t_s = sample.state.t_s;
+    if (sample.gimbals) {
+      const GimbalState<double>& g = *sample.gimbals;
+      const LedgerEntry<double> seen =
+          ledger_entry_in_gimbals(LedgerObserver::laboratory, model, t_s,
+                                  GimbalAngles<double>{g.outer.rot, g.inner.rot, g.outer_rate.rot, g.inner_rate.rot}, rate);
+      sizes.coriolis.include(norm(seen.tau_cor_A), is_release);
+      sizes.inside.include(norm(seen.tau_cor_gyroscopic_A), is_release);
+      sizes.centrifugal.include(norm(seen.tau_cent_A), is_release);
+      sizes.bearing.include(std::abs(bearing_torque(rotor, rate)), is_release);
+      continue;
+    }
     const Mat3<double>& S_BP_B = in_time.at(t_s).S_BP_B;
     Mat3<double> inside = spin_velocity_moment(rotor, rate);
     if (const MassSums<double>* masses = in_time.masses_at(t_s)) inside += masses->velocity_moment;
@@ -62,7 +74,9 @@ EffectEntry entry_of(const Effect& effect, const Sizes& sizes, const Scene& scen
     give(sizes.coriolis, entry);
     entry.in_difference = true;
     entry.reason = fmt::format("an effect of the Earth's rotation; on {} alone it is {:.2e} N m at most",
-                               masses_move(scene.scenario()) ? "what moves in the body" : "the rotor's turn in the body",
+                               scene.support().has_gimbals     ? "the momentum that the laboratory sees"
+                               : masses_move(scene.scenario()) ? "what moves in the body"
+                                                               : "the rotor's turn in the body",
                                sizes.inside.largest);
   } else if (effect.name == kCentrifugal) {
     give(sizes.centrifugal, entry);
@@ -99,12 +113,15 @@ Budget gyrostat_budget(const Scene& scene, const Watch& watch) {
   const DriftTrajectory<double> drift = integrate_drift(problem, followed.choice().options, watch);
   const bool completed = drift.status == RunStatus::completed && !drift.samples.empty();
   const double later = scene.scenario().duration_s / budget.followed_s;
-  budget.earth_drift_rad = completed ? later * drift.samples.back().measures.axis : std::numeric_limits<double>::quiet_NaN();
+  budget.earth_drift_rad =
+      completed ? later * watched_drift(drift.samples.back().state).angle : std::numeric_limits<double>::quiet_NaN();
   const Sizes sizes = sizes_of(followed, drift);
   for (const Effect& effect : all_effects())
     if (effect.is_in_budget(scene)) budget.effects.push_back(entry_of(effect, sizes, scene));
   budget.inputs_unavailable =
-      masses_move(scene.scenario())
+      scene.support().has_gimbals
+          ? "how well they must be known is not computed for a body in gimbals; run the scenario with each of them changed"
+      : masses_move(scene.scenario())
           ? "how well they must be known is not computed with masses that move in the body; run the scenario with each of "
             "them changed"
           : "how well they must be known is not computed with a rotor in the body; run the scenario with each of them changed";

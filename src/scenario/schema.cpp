@@ -109,8 +109,34 @@ Json site_rule() {
 Json rate_rule() {
   constexpr std::string_view kOneRate = "spin_rad_s|spin_rpm|angular_velocity_body_rad_s";
   const Json still = {{"properties", {{"release", none_of(kOneRate)}}},
-                      {"anyOf", Json::array({required("rotor"), required("moving_masses")})}};
+                      {"anyOf", Json::array({required("rotor"), required("moving_masses"), required("gimbals")})}};
   return {{"anyOf", Json::array({has("release", exactly_one(kOneRate)), still})}};
+}
+
+/// Returns the rule that a release in gimbals has their angles, and any other one an attitude.
+Json gimbals_rule() {
+  constexpr std::string_view kOfGimbals = "outer_angle_deg|inner_angle_deg|outer_rate_rad_s|inner_rate_rad_s";
+  constexpr std::string_view kOfPivot =
+      "tilt_deg|azimuth_deg|spin_angle_deg|quaternion_LB|angular_velocity_body_rad_s|spin_rad_s|spin_rpm|precession";
+  Json in_gimbals = required("outer_angle_deg|inner_angle_deg"), on_pivot = exactly_one("tilt_deg|quaternion_LB");
+  in_gimbals.update(none_of(kOfPivot)), on_pivot.update(none_of(kOfGimbals));
+  return {{"if", required("gimbals")}, {"then", has("release", in_gimbals)}, {"else", has("release", on_pivot)}};
+}
+
+/// Returns the rules of a gimbal's axis: what acts on it needs it free, and its coefficients each other.
+Json bearing_rules() {
+  const Json positive = {{"exclusiveMinimum", 0}};
+  const Json bare = none_of("viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s|torsion_N_m_rad|torsion_rest_deg");
+  return Json::array({{{"if", has("locked", {{"const", true}})}, {"then", bare}},
+                      {{"if", has("coulomb_torque_N_m", positive)}, {"then", required("regularisation_rad_s")}},
+                      {{"if", required("regularisation_rad_s")}, {"then", has("coulomb_torque_N_m", positive)}},
+                      {{"if", required("torsion_rest_deg")}, {"then", has("torsion_N_m_rad", positive)}}});
+}
+Json outer_rules() {
+  Json rules = bearing_rules();
+  const Json whole = required("mass_kg|inertia");
+  for (const char* key : {"mass_kg", "center_of_mass_m", "inertia"}) rules.push_back({{"if", required(key)}, {"then", whole}});
+  return rules;
 }
 
 Json body_rule() {
@@ -185,13 +211,13 @@ Json criterion_rules() {
 
 /// Returns an object's rules that involve several of its keys; an empty array if there are none.
 Json rules_of(std::string_view pattern) {
-  if (pattern.empty()) return Json::array({site_rule(), rate_rule()});
+  if (pattern.empty()) return Json::array({site_rule(), rate_rule(), gimbals_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
   if (pattern == "/criteria/*") return criterion_rules();
   if (pattern == "/body") return Json::array({body_rule()});
   if (pattern == "/body/inertia") return Json::array({exactly_one("principal_kg_m2|matrix_kg_m2")});
   if (pattern == "/body/solids/*") return solid_rules();
-  if (pattern == "/release") return Json::array({exactly_one("tilt_deg|quaternion_LB"), release_rule()});
+  if (pattern == "/release") return Json::array({release_rule()});
   if (pattern == "/site") return Json::array({{{"dependencies", {{"gravity_m_s2", none_of("gravity_anomaly_m_s2")}}}}});
   if (pattern == "/motion")
     return Json::array(
@@ -200,6 +226,9 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/platform") return platform_rules();
   if (pattern == "/rotor") return rotor_rules();
   if (pattern == "/moving_masses/*") return rules_of_words("motion", kMassMotionRules, kMassMotionKeys);
+  if (pattern == "/gimbals/outer") return outer_rules();
+  if (pattern == "/gimbals/inner") return bearing_rules();
+  if (pattern == "/gimbals/outer/inertia") return Json::array({exactly_one("principal_kg_m2|matrix_kg_m2")});
   if (pattern == "/contact") return contact_rules();
   if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();

@@ -141,18 +141,13 @@ Paced SuspensionLaws::paced(const Scene& scene) const {
   return paced;
 }
 
-/// The inertial observer's equations take the fewest operations.
 MethodChoice SuspensionLaws::choose_method(const Scene& scene) const {
   IntegrationOptions options = scene.scenario().numerics;
   if (options.method == Method::taylor) return {options, "asked for"};
   if (options.method != Method::automatic || scene.scenario().precision != Precision::bits53)
     return PivotLaws::choose_method(scene);
   options.method = Method::taylor;
-  if (options.form == ModelForm::general || options.observer != Observer::laboratory)
-    return {options, "Taylor series of the equations of the observer asked for"};
-  options.observer = Observer::inertial;
-  options.form = ModelForm::general;
-  return {options, "Taylor series of the inertial observer's equations take the fewest operations"};
+  return {options, "the equations of a suspension have Taylor series, which take the fewest operations"};
 }
 
 IntegrationOptions SuspensionLaws::second_options(const Scene& scene, const IntegrationOptions& first,
@@ -177,7 +172,9 @@ void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) co
   figures.outer_moment_kg_m2 = inertia.outer, figures.inner_moment_kg_m2 = inertia.inner;
   if ((top.nutation_rad_s = gimbal_nutation(scene))) top.nutation_kind = NutationKind::small_amplitude;
   const double Omega = std::abs(scene.rotation_rate_rad_s()), h = std::abs(gimbal_rotor_momentum(scene));
-  if (const auto rest = gimbal_rest(scene, Prediction::rotating)) {
+  // A balanced gyroscope rests along the celestial axis, about which it turns once a sidereal day: that is no place of rest to speak of.
+  constexpr double kSlowest = 12 * 3600;
+  if (const auto rest = gimbal_rest(scene, Prediction::rotating); rest && !(rest->slow_period_s > kSlowest)) {
     figures.slow_period_s = rest->slow_period_s, figures.fast_period_s = rest->fast_period_s;
     figures.outer_rest_rad = rest->outer_rad, figures.inner_rest_rad = rest->inner_rad;
   }

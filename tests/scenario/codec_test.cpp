@@ -42,6 +42,13 @@ constexpr const char* kCirclingMass =
 constexpr const char* kMassOnWaypoints =
     R"([{"mass_kg": 1, "motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0.1], [0.1, 0, 0]]}])";
 constexpr const char* kMassAsMeasured = R"([{"mass_kg": 1, "motion": "table", "file": "one_places.csv"}])";
+constexpr const char* kInGimbals = R"({"outer_angle_deg": 20, "inner_angle_deg": 60})";
+constexpr const char* kGimbals =
+    R"({"outer": {"mass_kg": 1, "inertia": {"principal_kg_m2": [1, 1, 1]}, "viscous_torque_N_m_s": 1,
+    "coulomb_torque_N_m": 1, "regularisation_rad_s": 1, "torsion_N_m_rad": 1}, "inner": {"viscous_torque_N_m_s": 1,
+    "coulomb_torque_N_m": 1, "regularisation_rad_s": 1, "torsion_N_m_rad": 1}})";
+constexpr const char* kGimbalsByMatrix =
+    R"({"outer": {"mass_kg": 1, "inertia": {"matrix_kg_m2": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}})";
 constexpr const char* kRolls = R"({"tip_radius_m": 0.002, "law": "frictionless", "spinning_friction_m": 1e-5,
     "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1})";
 
@@ -78,6 +85,19 @@ const std::map<std::string, Setting>& settings() {
        {{{"/release", R"({"tilt_deg": 20, "angular_velocity_body_rad_s": [1, 2, 3]})"}}}},
       {"/release/precession/rate_rad_s", {{{"/release/precession", R"({"rate_rad_s": 1})"}}}},
       {"/motion/start_utc", {{}, "\"" + kStart + "\""}},
+      {"/gimbals", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/gimbals/outer/axis_tilt_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "10"}},
+      {"/gimbals/outer/inertia/principal_kg_m2", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "[1, 1, 1.5]"}},
+      {"/gimbals/outer/inertia/matrix_kg_m2",
+       {{{"/gimbals", kGimbalsByMatrix}, {"/release", kInGimbals}}, "[[1, 0, 0], [0, 1, 0], [0, 0, 1.5]]"}},
+      {"/gimbals/outer/center_of_mass_m", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "[0, 0, 0.1]"}},
+      {"/gimbals/outer/locked", {{{"/gimbals", "{}"}, {"/release", kInGimbals}}, "true"}},
+      {"/gimbals/inner/locked", {{{"/gimbals", "{}"}, {"/release", kInGimbals}}, "true"}},
+      {"/gimbals/inner/axis_skew_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "10"}},
+      {"/release/outer_angle_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "30"}},
+      {"/release/inner_angle_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "30"}},
+      {"/release/outer_rate_rad_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "1"}},
+      {"/release/inner_rate_rad_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}, "1"}},
       {"/rotor/mass_kg", {{{"/rotor", R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "spin_rad_s": 1})"}}, "2"}},
       {"/rotor/axial_kg_m2",
        {{{"/rotor", R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "spin_rad_s": 1})"}}, "0.5"}},
@@ -208,6 +228,21 @@ const std::map<std::string, Setting>& settings() {
       {"/uncertainty/air_density_kg_m3", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
       {"/uncertainty/air_viscosity_m2_s", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
       {"/uncertainty/gimbal_damping_N_m_s", {{{"/release/tilt_deg", "90"}, {"/effects/gimbal", R"({"damping_N_m_s": 1e-6})"}}}},
+      {"/uncertainty/outer_angle_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_angle_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_rate_rad_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_rate_rad_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_torsion_N_m_rad", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_torsion_N_m_rad", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_torsion_rest_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_torsion_rest_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_viscous_torque_N_m_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_viscous_torque_N_m_s", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_coulomb_torque_N_m", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/inner_coulomb_torque_N_m", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/axis_skew_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_axis_tilt_deg", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
+      {"/uncertainty/outer_axial_kg_m2", {{{"/gimbals", kGimbals}, {"/release", kInGimbals}}}},
       {"/uncertainty/platform_rate_rad_s", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 0})"}}}},
       {"/uncertainty/platform_acceleration_rad_s2", {{{"/platform", R"({"motion": "ramp", "acceleration_rad_s2": 1})"}}}},
       {"/uncertainty/platform_amplitude_rad", {{{"/platform", kHarmonic}}}},

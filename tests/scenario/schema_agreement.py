@@ -32,6 +32,8 @@ PLACES = b"t_s,x_m,y_m,z_m\n0,0,0,0.03\n0.5,0.01,0,0.03\n1,0.02,0,0.03\n2,0.01,0
 RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
+RING = {"mass_kg": 0.15, "inertia": {"principal_kg_m2": [4e-4, 4e-4, 3e-4]}}
+IN_GIMBALS = {"outer_angle_deg": 20, "inner_angle_deg": 60}
 ROTOR = {"mass_kg": 0.05, "axial_kg_m2": 1.6e-5, "transverse_kg_m2": 8.5e-6}
 
 
@@ -127,6 +129,22 @@ WHOLE = [
                           "points_m": [[0, 0, 0.03], [0.01, 0, 0.03]]},
                          {"mass_kg": 0.01, "motion": "table", "file": "places.csv",
                           "file_sha256": hashlib.sha256(PLACES).hexdigest()}], release={"tilt_deg": 20}),
+    scene(gimbals={"outer": {**RING, "axis_tilt_deg": 10, "axis_azimuth_deg": -30, "center_of_mass_m": [1e-3, 0, 0],
+                             "viscous_torque_N_m_s": 1e-5, "coulomb_torque_N_m": 1e-5, "regularisation_rad_s": 0.01,
+                             "torsion_N_m_rad": 1e-3, "torsion_rest_deg": 5},
+                   "inner": {"axis_skew_deg": 2, "locked": False, "viscous_torque_N_m_s": 1e-5, "coulomb_torque_N_m": 1e-5,
+                             "regularisation_rad_s": 0.01, "torsion_N_m_rad": 1e-3, "torsion_rest_deg": 5}},
+          release={**IN_GIMBALS, "outer_rate_rad_s": 1, "inner_rate_rad_s": -1, "rates_relative_to": "inertial"},
+          rotor={**ROTOR, "spin_rad_s": 300},
+          uncertainty={"outer_angle_deg": 0.1, "inner_angle_deg": 0.1, "outer_rate_rad_s": 0.1, "inner_rate_rad_s": 0.1,
+                       "outer_torsion_N_m_rad": 1e-5, "inner_torsion_N_m_rad": 1e-5, "outer_torsion_rest_deg": 0.1,
+                       "inner_torsion_rest_deg": 0.1, "outer_viscous_torque_N_m_s": 1e-7, "inner_viscous_torque_N_m_s": 1e-7,
+                       "outer_coulomb_torque_N_m": 1e-7, "inner_coulomb_torque_N_m": 1e-7, "axis_skew_deg": 0.1,
+                       "outer_axis_tilt_deg": 0.1, "outer_axial_kg_m2": 1e-6}),
+    scene(gimbals={"outer": {"locked": True, "mass_kg": 0.1, "inertia": {"about": "center_of_mass", "matrix_kg_m2": [
+        [1e-4, 0, 0], [0, 1.1e-4, 1e-6], [0, 1e-6, 1.2e-4]]}}}, release=IN_GIMBALS),
+    scene(gimbals={}, release=IN_GIMBALS, moving_masses=[
+        {"mass_kg": 0.01, "carrier": "outer", "motion": "fixed", "center_m": [0, 0, 0.03]}]),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
     scene(effects={"gravity_gradient": True, "viscous_torque_N_m_s": 1e-7, "quadratic_torque_N_m_s2": 1e-9, "tide": False,
                    "air_drag": {"disc_radius_m": 0.05, "density_kg_m3": 1.2, "kinematic_viscosity_m2_s": 1.5e-5,
@@ -205,6 +223,17 @@ BEYOND_THE_SCHEMA = [
      "not available with /moving_masses"),
     ({"moving_masses": [{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0]}], "contact": SLIDING},
      "not available with /contact"),
+    ({"gimbals": {"outer": RING, "inner": {"locked": True}}, "release": {**IN_GIMBALS, "inner_rate_rad_s": 1}}, "of a locked gimbal"),
+    ({"gimbals": {"outer": {**RING, "locked": True}, "inner": {"locked": True}}, "release": IN_GIMBALS}, "both gimbals are locked"),
+    ({"gimbals": {"outer": {"mass_kg": 0.1, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 3e-4]}}}, "release": IN_GIMBALS}, "triangle"),
+    ({"gimbals": {}, "release": {"outer_angle_deg": 0, "inner_angle_deg": 0}, "body": {**BODY, "inertia": {
+        "about": "center_of_mass", "principal_kg_m2": [1e-4, 1e-4, 0]}}}, "gimbal lock"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "effects": {"viscous_torque_N_m_s": 1e-7}}, "not available with /gimbals"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "effects": {"coriolis": False}}, "not available with /gimbals"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "numerics": {"observer": "body"}}, "with /gimbals"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "numerics": {"method": "dop853"}}, "not built for a body in gimbals"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "numerics": {"method": "closed_form"}}, "not available for a body in gimbals"),
+    ({"gimbals": {}, "release": IN_GIMBALS, "contact": SLIDING}, "not available with /contact"),
     ({"platform": {"motion": "table", "file": "."}}, "is a directory"),
     ({"platform": {"motion": "table", "file": ""}}, "names no file"),
     ({"platform": {"motion": "table", "file": "angles.csv", "file_sha256": ""}}, "is not that of"),

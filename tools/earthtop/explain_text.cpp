@@ -90,6 +90,12 @@ std::string contact_explanation_text(const ContactExplanation& explained, const 
 
 std::string rotor_equations_text(const Scene& scene, std::size_t width) {
   const Scenario& scenario = scene.scenario();
+  if (scene.support().has_gimbals)
+    return sentence(
+        "Equations: the momenta p_a = a.(L_A + L_B) and p_b = b.L_B along the outer and the inner axis, and h along the "
+        "rotor's, change "
+        "by gravity, by the bearings and as the axes turn; the rates of both angles follow from p_a and p_b",
+        width);
   if (masses_move(scenario))
     return sentence(
         "Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c - l); L: momentum of all parts; I and l: inertia "

@@ -187,6 +187,16 @@ void write_drift(Page& page, const RunResult& result) {
               with_bound(rotor->drift_rate_rad_s, rotor->drift_rate_bound_rad_s, "rad/s"));
     page.line("  and angle   {}", with_bound(rotor->drift_angle_rad, rotor->drift_angle_bound_rad, "rad"));
   }
+  if (const auto& gimbals = last->gimbals) {
+    const auto angle = [&](double drift_rad, double bound_rad, bool is_judged) {
+      const std::string text = with_bound(drift_rad, bound_rad, "rad");
+      return is_judged ? page.strong(text) + ", which verdict and threshold follow" : text;
+    };
+    page.line("  outer angle {}", angle(gimbals->drift_outer_angle_rad, gimbals->drift_outer_angle_bound_rad,
+                                        gimbals->headline == GimbalHeadline::outer));
+    page.line("  inner angle {}", angle(gimbals->drift_inner_angle_rad, gimbals->drift_inner_angle_bound_rad,
+                                        gimbals->headline == GimbalHeadline::inner));
+  }
   const char* label = "tip";
   for (const std::string& line : tip_drift_lines(result, *last, drift.tip_bound_m.value_or(0))) {
     page.line("  {:<11} {}", label, line);
@@ -234,8 +244,11 @@ void write_threshold(Page& page, const RunResult& result) {
   const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
   if (!crossing || !result.scene.scenario().threshold_rad) return;
   const std::optional<double>& time = result.drift.threshold_time_s;
-  const std::string threshold =
-      fmt::format("{} rad {}", *result.scene.scenario().threshold_rad, judges_rotor_axis(result) ? "of the rotor's axis " : "");
+  const std::string threshold = fmt::format("{} rad {}", *result.scene.scenario().threshold_rad,
+                                            result.drift.headline == GimbalHeadline::outer   ? "of the outer angle "
+                                            : result.drift.headline == GimbalHeadline::inner ? "of the inner angle "
+                                            : judges_rotor_axis(result)                      ? "of the rotor's axis "
+                                                                                             : "");
   const std::string computed = time ? fmt::format(", as computed at t = {:.9g} s", *time) : ", as computed not passed";
   switch (*crossing) {
     case ThresholdCrossing::not_reached: page.entry("Threshold", threshold + "not reached"); break;

@@ -84,6 +84,8 @@ template <class T, class S>
 struct GimbalPose {
   const Gimbals<T>& gimbals;
   SinCos<S> outer, inner;
+  SinCos<S> inner_change = {S(T(0)),
+                            S(T(0))};  ///< of `inner` from that of the base whose momentum is counted from (gimbal_motion)
 
   Vec3<S> into_ring(const Vec3<S>& v_P) const {
     const Vec3<S> v = mixed_times(Mat3<T>(gimbals.R_P0.transpose()), v_P);
@@ -96,7 +98,22 @@ struct GimbalPose {
   }
   /// The outer axis in body axes; the inner one is axis 2.
   Vec3<S> outer_axis_B() const { return into_body(Vec3<S>(S(T(0)), S(T(0)), S(T(1)))); }
+  /// Its change from that of the base.
+  Vec3<S> outer_axis_change_B() const {
+    const S c = S(gimbals.skew_cos);
+    return {-(c * inner_change.sin), S(T(0)), c * inner_change.cos};
+  }
 };
+/// The pose that is turned from that of the release by some angles, with its change. Small turns keep their digits.
+template <class T, class S>
+GimbalPose<T, S> pose_after(const Gimbals<T>& gimbals, const S& outer_turn, const S& inner_turn, const T& epsilon) {
+  const SinCos<T> base = real::sin_cos(gimbals.release.inner);
+  const SinCos<S> half = paired_sin_cos(S(S(T(1) / T(2)) * inner_turn), epsilon);
+  const S sine = S(T(2)) * (half.sin * half.cos), versine = S(T(2)) * (half.sin * half.sin);
+  const SinCos<S> change{S(base.cos) * sine - S(base.sin) * versine, -(S(base.sin) * sine) - S(base.cos) * versine};
+  return {gimbals, paired_sin_cos(S(S(gimbals.release.outer) + outer_turn), epsilon),
+          SinCos<S>{S(base.sin) + change.sin, S(base.cos) + change.cos}, change};
+}
 
 /// All that a gimbal carries at one time, in its axes: its tensors, and the momentum and the velocity moment (torques.hpp) of masses that
 /// move on it, relative to it.
@@ -146,23 +163,28 @@ S rotor_momentum(const Rotor<T>& rotor, const S& h, const T& t) {
   return rotor.driven ? S(T(rotor.axial * rotor.driven_rate(t))) : h;
 }
 
-/// @param turning_P  U
+/// @param p  momenta counted from those that the base alone has by its rotor: less h0 a.c, h0 b.c and h0, where the axes are those of the
+/// base. Where gimbals hardly move beside a fast rotor, these are all but the smallest parts of the momenta.   @param turning_P  U
+/// @param base_momentum  h0
 template <class T, class S>
 GimbalMotion<S> gimbal_motion(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
-                              const GimbalMomenta<S>& p, const Vec3<S>& turning_P, const T& t) {
+                              const GimbalMomenta<S>& p, const Vec3<S>& turning_P, const T& t, const T& base_momentum = T(0)) {
   const Gimbals<T>& gimbals = model.gimbals;
   const Rotor<T>& rotor = model.rotor;
   const Mat3<T>&I_A = parts.ring.I, &I_B = parts.body.I;
   GimbalMotion<S> m;
   m.turning_A = pose.into_ring(turning_P), m.turning_B = pose.into_body(m.turning_A);
   m.axis_B = pose.outer_axis_B();
-  const S inside = rotor_momentum(rotor, p.rotor, t);
-  const Vec3<S> inside_B = over_scalar<S>(rotor.axis_B) * inside + over_scalar<S>(parts.body.momentum);
+  const S inside = rotor_momentum(rotor, S(S(base_momentum) + p.rotor), t);
+  const S more = rotor.driven ? S(inside - S(base_momentum)) : p.rotor;
+  const Vec3<S> c = over_scalar<S>(rotor.axis_B);
   const Vec3<S> carried_A = mixed_times(I_A, m.turning_A) + over_scalar<S>(parts.ring.momentum),
-                carried_B = mixed_times(I_B, m.turning_B) + inside_B;
+                carried_B = mixed_times(I_B, m.turning_B) + over_scalar<S>(parts.body.momentum);
   const Vec3<S> I_a = mixed_times(I_B, m.axis_B);
   const S m11 = S(I_A(2, 2)) + inner(m.axis_B, I_a), m12 = I_a[1], m22 = S(I_B(1, 1));
-  const S r1 = p.outer - carried_A[2] - inner(m.axis_B, carried_B), r2 = p.inner - carried_B[1];
+  const S r1 = p.outer - carried_A[2] - inner(m.axis_B, Vec3<S>(carried_B + c * more)) -
+               S(base_momentum) * inner(pose.outer_axis_change_B(), c);
+  const S r2 = p.inner - carried_B[1] - c[1] * more;
   m.outer_rate = m.inner_rate = S(T(0));
   if (gimbals.inner.locked) {
     m.outer_rate = r1 / m11;
@@ -174,22 +196,21 @@ GimbalMotion<S> gimbal_motion(const Model<T>& model, const CarriedParts<T>& part
   }
   const Vec3<S> z(S(T(0)), S(T(0)), m.outer_rate), y(S(T(0)), m.inner_rate, S(T(0)));
   m.w_A = m.turning_A + z, m.w_B = m.turning_B + m.axis_B * m.outer_rate + y;
-  m.L_A = carried_A + mixed_times(I_A, z), m.L_B = carried_B + I_a * m.outer_rate + mixed_times(I_B, y);
-  m.rotor_rate =
-      rotor.driven ? S(rotor.driven_rate(t)) : S(inside * S(T(1) / rotor.axial) - inner(over_scalar<S>(rotor.axis_B), m.w_B));
+  m.L_A = carried_A + mixed_times(I_A, z), m.L_B = carried_B + c * inside + I_a * m.outer_rate + mixed_times(I_B, y);
+  m.rotor_rate = rotor.driven ? S(rotor.driven_rate(t)) : S(inside * S(T(1) / rotor.axial) - inner(c, m.w_B));
   return m;
 }
 
-/// The momenta that belong to rates, the inverse of gimbal_motion.
+/// The momenta that belong to rates in the base's pose, the inverse of gimbal_motion.
 template <class T, class S>
 GimbalMomenta<S> gimbal_momenta(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
                                 const S& outer_rate, const S& inner_rate, const S& rotor_rate, const Vec3<S>& turning_P,
-                                const T& t) {
+                                const T& t, const T& base_momentum = T(0)) {
   const Rotor<T>& rotor = model.rotor;
   const Vec3<S> turning_A = pose.into_ring(turning_P), axis_B = pose.outer_axis_B(), c = over_scalar<S>(rotor.axis_B);
   const Vec3<S> w_A = turning_A + Vec3<S>(S(T(0)), S(T(0)), outer_rate);
   const Vec3<S> w_B = pose.into_body(w_A) + Vec3<S>(S(T(0)), inner_rate, S(T(0)));
-  const S h = rotor_momentum(rotor, S(S(rotor.axial) * (inner(c, w_B) + rotor_rate)), t);
+  const S h = rotor_momentum(rotor, S(S(rotor.axial) * (inner(c, w_B) + rotor_rate)), t) - S(base_momentum);
   const Vec3<S> L_B = mixed_times(parts.body.I, w_B) + c * h + over_scalar<S>(parts.body.momentum);
   return {S(mixed_times(parts.ring.I, w_A)[2] + S(parts.ring.momentum[2]) + inner(axis_B, L_B)), L_B[1], h};
 }

@@ -21,7 +21,9 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
   using State = std::array<T, kSize>;
   using P = Paired<T>;
 
-  GimbalDrift(const Model<T>& model, RatesRelativeTo matched) : equations_{model}, matched_(matched) {}
+  GimbalDrift(const Model<T>& model, RatesRelativeTo matched) : equations_{model}, matched_(matched) {
+    equations_.rotor_momentum = momenta_at_release().rotor.ref;
+  }
 
   const GimbalDriftEquations<T, O>& equations() const { return equations_; }
   void operator()(const State& x, State& dxdt, T t) const { equations_(x, dxdt, t); }
@@ -33,28 +35,8 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
   /// inertial rates each part has the same inertial rate about its own axis, and the rotor the same momentum; those given are of the
   /// non-rotating motion.
   State initial_state() const {
-    const Model<T>& model = equations_.model;
-    const Gimbals<T>& gimbals = model.gimbals;
-    const Rotor<T>& rotor = model.rotor;
-    const GimbalAngles<T>& given = gimbals.release;
+    const GimbalMomenta<P> p = momenta_at_release();
     State x{};
-    x[Shape::kOuter] = given.outer, x[Shape::kInner] = given.inner;
-    const GimbalPose<T, P> pose = equations_.pose_of(x);
-    P outer(given.outer_rate), inner_rate(given.inner_rate), spin(rotor.spin);
-    const GimbalSurroundings<P> around = equations_.surroundings(T(0));
-    if (matched_ == RatesRelativeTo::inertial) {
-      const Vec3<P> W_A = pose.into_ring(around.earth), W_B = pose.into_body(W_A), a_B = pose.outer_axis_B();
-      if (!gimbals.outer.locked) outer -= W_A[2];
-      const P outer_change = outer - P(given.outer_rate);
-      if (!gimbals.inner.locked) inner_rate -= W_B[1] + outer_change * a_B[1];
-      if (!rotor.driven) {
-        // The change of the body's inertial rate along the rotor's axis.
-        const Vec3<P> change = W_B + a_B * outer_change + Vec3<P>(P(T(0)), P(inner_rate - P(given.inner_rate)), P(T(0)));
-        spin -= inner(over_scalar<P>(rotor.axis_B), change);
-      }
-    }
-    const GimbalMomenta<P> p =
-        gimbal_momenta(model, carried_parts(model, T(0)), pose, outer, inner_rate, spin, around.turning, T(0));
     equations_.put(p.outer, x, Shape::kMomenta);
     equations_.put(p.inner, x, Shape::kMomenta + 1);
     equations_.put(p.rotor, x, Shape::kMomenta + 2);
@@ -85,14 +67,14 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
     const T epsilon = model.epsilon;
     DriftState<T> s;
     s.epsilon = epsilon;
-    s.ref_q_LB = platform_attitude(t) * gimbal_attitude(model.gimbals, x[Shape::kOuter], x[Shape::kInner]);
+    s.ref_q_LB = platform_attitude(t) * gimbal_attitude(model.gimbals, equations_.outer(x).ref, equations_.inner_angle(x).ref);
     const SinCos<T> a = real::sin_cos(T(epsilon * x[Shape::kHalf + Shape::kOuter] / T(2))),
                     b = real::sin_cos(T(epsilon * x[Shape::kHalf + Shape::kInner] / T(2)));
     const auto scaled = [&](const SinCos<T>& half, std::size_t i) {
       return epsilon < T(1e-60) ? T(x[Shape::kHalf + i] / T(2)) : T(half.sin / epsilon);
     };
     const T sa = scaled(a, Shape::kOuter), sb = scaled(b, Shape::kInner);
-    const SinCos<T> inner_angle = real::sin_cos(x[Shape::kInner]);
+    const SinCos<T> inner_angle = real::sin_cos(equations_.inner_angle(x).ref);
     const Vec3<T> u(-inner_angle.sin * model.gimbals.skew_cos, model.gimbals.skew_sin,
                     inner_angle.cos * model.gimbals.skew_cos);
     s.e_w = a.cos * b.cos - epsilon * epsilon * sa * sb * u[1];
@@ -105,7 +87,7 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
   GimbalState<T> gimbal_state(const State& x, T t) const {
     const GimbalMotion<P> m = equations_.motion(x, t);
     const Gimbals<T>& gimbals = equations_.model.gimbals;
-    return {equations_.at(x, Shape::kOuter), equations_.at(x, Shape::kInner), m.outer_rate, m.inner_rate, headline_of(gimbals)};
+    return {equations_.outer(x), equations_.inner_angle(x), m.outer_rate, m.inner_rate, headline_of(gimbals)};
   }
   /// The rotor in both motions, with rates in natural units; none without one.
   std::optional<RotorState<T>> rotor_state(const State& x, T t) const {
@@ -118,6 +100,29 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
   }
 
  private:
+  /// The momenta of both motions at release, as the equations count them.
+  GimbalMomenta<P> momenta_at_release() const {
+    const Model<T>& model = equations_.model;
+    const Gimbals<T>& gimbals = model.gimbals;
+    const Rotor<T>& rotor = model.rotor;
+    const GimbalAngles<T>& given = gimbals.release;
+    const GimbalPose<T, P> pose = equations_.pose_of(State{});
+    P outer(given.outer_rate), inner_rate(given.inner_rate), spin(rotor.spin);
+    const GimbalSurroundings<P> around = equations_.surroundings(T(0));
+    if (matched_ == RatesRelativeTo::inertial) {
+      const Vec3<P> W_A = pose.into_ring(around.earth), W_B = pose.into_body(W_A), a_B = pose.outer_axis_B();
+      if (!gimbals.outer.locked) outer -= W_A[2];
+      const P outer_change = outer - P(given.outer_rate);
+      if (!gimbals.inner.locked) inner_rate -= W_B[1] + outer_change * a_B[1];
+      if (!rotor.driven) {
+        // The change of the body's inertial rate along the rotor's axis.
+        const Vec3<P> change = W_B + a_B * outer_change + Vec3<P>(P(T(0)), P(inner_rate - P(given.inner_rate)), P(T(0)));
+        spin -= inner(over_scalar<P>(rotor.axis_B), change);
+      }
+    }
+    return gimbal_momenta(model, carried_parts(model, T(0)), pose, outer, inner_rate, spin, around.turning, T(0),
+                          equations_.rotor_momentum);
+  }
   Quaternion<T> platform_attitude(T t) const {
     const PrescribedMotion<T>& turn = equations_.model.platform.turn;
     const SinCos<T> half = real::sin_cos(T(turn.angle(t) / T(2)));

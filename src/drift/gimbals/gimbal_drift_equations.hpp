@@ -3,6 +3,8 @@
 ///
 /// The state is that of the reference, then the differences of the rotating motion over epsilon, each
 ///   [0] alpha   [1] beta   [2] p_a   [3] p_b   [4] h   [5] the rotor's angle minus that of a steady spin
+/// where angles and momenta of the reference are counted from the release (of the momenta the rotor's share), so that the rates of
+/// gimbals that hardly move keep their digits beside a fast rotor.
 #pragma once
 
 #include <array>
@@ -34,15 +36,16 @@ struct GimbalDriftEquations {
   using P = Paired<T>;
 
   Model<T> model;
-  EARTHTOP_MEMBERS(model)
+  T rotor_momentum = T(0);  ///< h of the reference at release
+  EARTHTOP_MEMBERS(model, rotor_momentum)
 
   void operator()(const State& x, State& dxdt, T t) const {
     const GimbalPose<T, P> pose = pose_of(x);
     const GimbalSurroundings<P> around = surroundings(t);
     const CarriedParts<T> parts = carried_parts(model, t);
-    const GimbalMotion<P> m = gimbal_motion(model, parts, pose, momenta(x), around.turning, t);
+    const GimbalMotion<P> m = gimbal_motion(model, parts, pose, momenta(x), around.turning, t, rotor_momentum);
     const GimbalMomenta<P> rate =
-        momentum_rates<O == Observer::laboratory>(model, parts, pose, at(x, Shape::kOuter), at(x, Shape::kInner), m, around);
+        momentum_rates<O == Observer::laboratory>(model, parts, pose, outer(x), inner_angle(x), m, around);
     put(m.outer_rate, dxdt, Shape::kOuter), put(m.inner_rate, dxdt, Shape::kInner);
     put(rate.outer, dxdt, Shape::kMomenta), put(rate.inner, dxdt, Shape::kMomenta + 1),
         put(rate.rotor, dxdt, Shape::kMomenta + 2);
@@ -52,15 +55,16 @@ struct GimbalDriftEquations {
   /// A quantity of a state in both motions.
   P at(const State& x, std::size_t i) const { return P::apart(x[i], x[Shape::kHalf + i], model.epsilon); }
   GimbalPose<T, P> pose_of(const State& x) const {
-    return {model.gimbals, paired_sin_cos(at(x, Shape::kOuter), model.epsilon),
-            paired_sin_cos(at(x, Shape::kInner), model.epsilon)};
+    return pose_after(model.gimbals, at(x, Shape::kOuter), at(x, Shape::kInner), model.epsilon);
   }
+  P outer(const State& x) const { return P(model.gimbals.release.outer) + at(x, Shape::kOuter); }
+  P inner_angle(const State& x) const { return P(model.gimbals.release.inner) + at(x, Shape::kInner); }
   GimbalMomenta<P> momenta(const State& x) const {
     return {at(x, Shape::kMomenta), at(x, Shape::kMomenta + 1), at(x, Shape::kMomenta + 2)};
   }
   /// The motion of a state in the observer's frame.
   GimbalMotion<P> motion(const State& x, T t) const {
-    return gimbal_motion(model, carried_parts(model, t), pose_of(x), momenta(x), surroundings(t).turning, t);
+    return gimbal_motion(model, carried_parts(model, t), pose_of(x), momenta(x), surroundings(t).turning, t, rotor_momentum);
   }
   GimbalSurroundings<P> surroundings(const T& t) const { return gimbal_surroundings<O == Observer::laboratory>(model, t); }
   void put(const P& both, State& x, std::size_t i) const { x[i] = both.ref, x[Shape::kHalf + i] = both.diff; }

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "drift/gimbals/gimbal_drift.hpp"
 #include "drift/lanes/drift_kernels.hpp"
 #include "drift/lanes/general_drift_kernels.hpp"
 #include "drift/lanes/recorded_drift_kernels.hpp"
@@ -217,6 +218,20 @@ template <Observer O>
 using DrivenDrift = SpinlessDrift<DrivenReducedDrift<double, O>, lanes::kDrivenDriftVariables>;
 template <Observer O>
 using WheelDrift = SpinlessDrift<CompassDrift<double, O>, lanes::kCompassDriftVariables>;
+/// The drift of a body in gimbals, as recorded.
+template <Observer O>
+class SuspensionDrift : public GimbalDrift<double, O> {
+ public:
+  static constexpr int kVariables = lanes::kGimbalDriftVariables;
+  explicit SuspensionDrift(const DriftProblem<double>& problem)
+      : GimbalDrift<double, O>(problem.model, problem.release.X), largest_step_(longest_unseen_step(problem)) {}
+  double largest_step() const { return largest_step_; }
+  taylor::Operations<double> record() const { return record_spinless<double>(this->equations(), this->initial_state(), 0); }
+
+ private:
+  double largest_step_;
+};
+static_assert(lanes::are_groups_of<SuspensionDrift<Observer::laboratory>>(lanes::kGimbalDriftGroups));
 static_assert(lanes::are_groups_of<DrivenDrift<Observer::laboratory>>(lanes::kDrivenDriftGroups));
 static_assert(lanes::are_groups_of<WheelDrift<Observer::laboratory>>(lanes::kCompassDriftGroups));
 
@@ -294,6 +309,11 @@ std::vector<DriftTrajectory<double>> integrate_recorded(std::span<const DriftPro
                                                         InstructionSet set) {
   const bool is_inertial = options.observer == Observer::inertial;
   const int width = lanes::width_of(set);
+  if (problems.front().model.kind == SceneKind::suspension) {
+    const lanes::Kernel& kernel = EARTHTOP_CHOOSE_KERNEL(set, lanes::kGimbalDrift);
+    return is_inertial ? integrate_recorded<SuspensionDrift<Observer::inertial>>(kernel, width, problems, options, watch)
+                       : integrate_recorded<SuspensionDrift<Observer::laboratory>>(kernel, width, problems, options, watch);
+  }
   if (options.form == ModelForm::general) {
     if (problems.front().model.kind == SceneKind::gyrostat)
       return integrate_composed<SceneKind::gyrostat>(EARTHTOP_CHOOSE_KERNEL(set, lanes::kGyrostatDrift), width, problems,

@@ -25,6 +25,10 @@ struct GyrostatDriftLanes {
   static constexpr int kVariables = kGyrostatDriftVariables, kGroupCount = 7;
   static constexpr const Group* kGroups = kGyrostatDriftGroups;
 };
+struct GimbalDriftLanes {
+  static constexpr int kVariables = kGimbalDriftVariables, kGroupCount = 5;
+  static constexpr const Group* kGroups = kGimbalDriftGroups;
+};
 
 }  // namespace
 }  // namespace earthtop::lanes
@@ -39,4 +43,6 @@ struct GyrostatDriftLanes {
                                     evaluate_block<RecordedLanes<ComposedDriftLanes>>}; \
   const Kernel kGyrostatDrift_##set{step_block<RecordedLanes<GyrostatDriftLanes>>,      \
                                     evaluate_block<RecordedLanes<GyrostatDriftLanes>>}; \
+  const Kernel kGimbalDrift_##set{step_block<RecordedLanes<GimbalDriftLanes>>,          \
+                                  evaluate_block<RecordedLanes<GimbalDriftLanes>>};     \
   }
