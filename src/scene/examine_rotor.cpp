@@ -19,8 +19,10 @@ void RotorLaws::check(const input::Section& root, const Scene& scene) const {
       given.refuse_key(key,
                        fmt::format("is not available with {}: {}; leave one of the two out", scene.support().pointer, why));
   };
-  refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
-  refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel");
+  const bool is_told = scene.support().kind == SupportKind::masses;  // where they were read
+  refuse("air_drag", !is_told && effects.applied.air_drag.has_value(),
+         "it is the drag of a disc that spins about body axis 3 itself");
+  refuse("gimbal", !is_told && effects.applied.gimbal.has_value(), "it holds a rigid wheel");
   refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, "dry friction at the pivot of a gyrostat is not modelled");
   const char* const kWhole = scene.support().kind == SupportKind::masses
                                  ? "the torques of what moves in the body belong to all three"
@@ -70,7 +72,7 @@ std::optional<std::string> RotorLaws::refuse(const MethodRow& row, const Scene& 
     return std::nullopt;
   if (scene.support().kind == SupportKind::masses)
     return fmt::format(
-        "\"{}\" is not built for a body with moving masses; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+        "\"{}\" is not built for masses that move in the body; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
         row.word);
   return fmt::format("\"{}\" is not built for a body with a rotor; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
                      row.word);

@@ -3,6 +3,7 @@
 /// truth, the ledger, what is conserved, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -128,6 +129,34 @@ TEST(MovingMasses, PolygonTurnsByArctangents) {
                       FiledTable{std::make_shared<const AngleTable>(z)}};
   table.moving_masses = {mass};
   EXPECT_NEAR(turned(run(table)).back(), expected, kErrorOfTurn);
+}
+
+/// A beam at rest on an upright axis at a pole: two masses move outward, and [F]'s Coriolis torque alone turns it, by the Earth's rate times
+/// the integral of I(0)/I - 1. The non-rotating prediction does not move at all.
+TEST(MovingMasses, OutwardTurnABodyAtRest) {
+  Scenario s = free_beam();
+  s.site.latitude_deg = 90;
+  s.rotation_rate_rad_s = kEarthRateWgs84;
+  testing::set_principal(s.body, 0.01, 0.02, 0.02);
+  s.duration_s = 4, s.output_step_s = 1;
+  for (const double side : {1.0, -1.0}) {
+    MovingMassSpec mass;
+    mass.mass_kg = 0.5, mass.motion = MassMotion::waypoints;
+    mass.times_s = {1, 3}, mass.points_m = {{side * 0.1, 0, 0}, {side * 0.4, 0, 0}};
+    s.moving_masses.push_back(mass);
+  }
+  const auto moment = [](double t) {
+    const double x = std::clamp((t - 1) / 2, 0.0, 1.0), r = 0.1 + 0.3 * x * x * x * (10 + x * (6 * x - 15));
+    return 0.02 + 2 * 0.5 * r * r;
+  };
+  const RunResult result = run(s);
+  for (const DriftRow& row : result.rows) {
+    EXPECT_EQ(row.ref_q_LB, result.rows.front().ref_q_LB);
+    const double turned = integral([&](double t) { return moment(0) / moment(t) - 1; }, 0, row.t_s);
+    EXPECT_NEAR(row.drift_spin_rad, kEarthRateWgs84 * turned,
+                1e-9 * kEarthRateWgs84);  // Simpson's rule with 4,000 intervals across corners of the third derivative
+  }
+  EXPECT_NEAR(result.rows.back().drift_spin_rad, -1.355879783342241e-4, 1e-17);  // as printed, to 16 digits
 }
 
 /// A mass that is fixed is a part of a rigid body, beside a rotor, too.

@@ -113,7 +113,7 @@ TEST(MovingMassRules, WhatTheyAreNotAvailableWith) {
   expect_refused_scene(with, "/numerics/method", "\"closed_form\"", "is not available with masses that move in the body");
   expect_refused_scene(with, "/numerics/method", "\"splitting\"", "is not available with masses that move in the body");
   expect_refused_scene(with, "/numerics/method", "\"long_horizon\"", "is not available with masses that move in the body");
-  expect_refused_scene(with, "/numerics/method", "\"dop853\"", "is not built for a body with moving masses");
+  expect_refused_scene(with, "/numerics/method", "\"dop853\"", "is not built for masses that move in the body");
 }
 
 TEST(MovingMassRules, TablesCoverTheRun) {
@@ -128,6 +128,8 @@ TEST(MovingMassRules, TablesCoverTheRun) {
   EXPECT_EQ(errors_with(rows + "60,0,0,0.1\n"), "");
   for (const auto& [table, part] :
        {std::pair{rows + "59,0,0,0.1\n", "it must reach the duration, 60 s"}, std::pair{rows, "a spline needs at least 4"},
+        std::pair{rows + "60,1e12,0,0\n", "are the times in seconds and the coordinates in metres?"},
+        std::pair{rows + "60,1e12,0,0\n", "are the times in seconds and the coordinates in metres?"},
         std::pair{rows + "60,0,0\n", "must be 4 numbers with commas between them"},
         std::pair{rows + "60,0,nought,0.1\n", "y_m is \"nought\""}, std::pair{rows + "30,0,0,0.1\n", "times must ascend"},
         std::pair{std::string("t_s,angle_rad\n"), "must be the header \"t_s,x_m,y_m,z_m\""}})

@@ -204,6 +204,8 @@ BEYOND_THE_SCHEMA = [
     ({"effects": {"gimbal": True}, "release": {"tilt_deg": 90, "angular_velocity_body_rad_s": [0, 1, 9]}}, "out of the level"),
     ({"effects": {"coulomb_torque_N_m": 1}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "on a platform"),
     ({"effects": {"coulomb_torque_N_m": 1}, "rotor": {**ROTOR, "spin_rad_s": 300}}, "is not available with /rotor"),
+    ({"body": {**BODY, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 0]}}, "rotor": {**ROTOR, "spin_rad_s": 300}},
+     "are not free to turn about three axes"),
     ({"effects": {"tide": True}}, "by date"),
     ({"effects": {"polar_motion": True}}, "by date"),
     ({"effects": "auto"}, "error asked for"),
