@@ -12,6 +12,7 @@
 #include "earthtop/budget/budget.hpp"
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/drift/drift.hpp"
+#include "earthtop/drift/gimbal_event.hpp"
 #include "earthtop/drift/stop_event.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "earthtop/watch.hpp"
@@ -235,12 +236,13 @@ struct RunResult {
   std::size_t looks_a_window = 0;  ///< number of looks in a window; 0: they are evenly spaced from the release to the end
   DriftSummary drift;
   VerdictReport verdict;
-  std::vector<StopEvent> stops;          ///< the times when dry friction brought a motion to rest
-  std::optional<ContactReport> contact;  ///< present for a top on a table
-  IntegrationReport solution;            ///< the integration that gives the rows
-  IntegrationReport certificate;         ///< the second integration, whose distance to the rows gives the bounds
-  double looks_seconds = 0;              ///< time of the integrations for `looks` and largest values, besides the two (s)
-  double attitude_bound_rad = 0;         ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
+  std::vector<StopEvent> stops;            ///< the times when dry friction brought a motion to rest
+  std::vector<GimbalEvent> gimbal_events;  ///< of a Cardan suspension
+  std::optional<ContactReport> contact;    ///< present for a top on a table
+  IntegrationReport solution;              ///< the integration that gives the rows
+  IntegrationReport certificate;           ///< the second integration, whose distance to the rows gives the bounds
+  double looks_seconds = 0;                ///< time of the integrations for `looks` and largest values, besides the two (s)
+  double attitude_bound_rad = 0;           ///< error bound of q_LB and ref_q_LB themselves, largest of all rows
   std::vector<InvariantReport> invariants;
   std::vector<TheoryReport> theory;
   std::vector<WhySentence> why;                    ///< in the order in which they are read

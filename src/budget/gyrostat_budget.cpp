@@ -25,22 +25,26 @@ struct Size {
   }
 };
 struct Sizes {
-  Size coriolis, of_rotor, centrifugal, bearing;
+  Size coriolis, inside, centrifugal, bearing;
 };
 
 Sizes sizes_of(const Scene& scene, const DriftTrajectory<double>& drift) {
   const Model<double>& model = scene.model<double>();
-  const Rotor<double> rotor = make_rotor<double>(*scene.scenario().rotor);
+  const auto& spec = scene.scenario().rotor;
+  const Rotor<double> rotor = spec ? make_rotor<double>(*spec) : model.rotor;
+  const ModelInTime<double> in_time(model);
   Sizes sizes;
   for (const DriftSample<double>& sample : drift.samples) {
     const bool is_release = &sample == &drift.samples.front();
     const Vec3<double> W_B = transposed_times(rotation_matrix(sample.state.q_LB), model.W_IL_L);
-    const double rate = sample.rotor->rate;
-    const Mat3<double> of_rotor = spin_velocity_moment(rotor, rate),
-                       of_body = velocity_moment(model.S_BP_B, sample.state.w_LB_B);
-    sizes.coriolis.include(norm(coriolis_torque(W_B, Mat3<double>(of_body + of_rotor))), is_release);
-    sizes.of_rotor.include(norm(coriolis_torque(W_B, of_rotor)), is_release);
-    sizes.centrifugal.include(norm(centrifugal_torque(W_B, model.S_BP_B)), is_release);
+    const double rate = sample.rotor ? sample.rotor->rate : 0, t_s = sample.state.t_s;
+    const Mat3<double>& S_BP_B = in_time.at(t_s).S_BP_B;
+    Mat3<double> inside = spin_velocity_moment(rotor, rate);
+    if (const MassSums<double>* masses = in_time.masses_at(t_s)) inside += masses->velocity_moment;
+    const Mat3<double> of_body = velocity_moment(S_BP_B, sample.state.w_LB_B);
+    sizes.coriolis.include(norm(coriolis_torque(W_B, Mat3<double>(of_body + inside))), is_release);
+    sizes.inside.include(norm(coriolis_torque(W_B, inside)), is_release);
+    sizes.centrifugal.include(norm(centrifugal_torque(W_B, S_BP_B)), is_release);
     sizes.bearing.include(std::abs(bearing_torque(rotor, rate)), is_release);
   }
   return sizes;
@@ -52,13 +56,14 @@ void give(const Size& size, EffectEntry& entry) {
 
 EffectEntry entry_of(const Effect& effect, const Sizes& sizes, const Scene& scene) {
   EffectEntry entry = unsized_entry(effect, scene);
-  const bool is_driven = scene.scenario().rotor->drive != RotorDrive::none;
+  const auto& rotor = scene.scenario().rotor;
+  const bool is_driven = !rotor || rotor->drive != RotorDrive::none;
   if (effect.name == kCoriolis) {
     give(sizes.coriolis, entry);
     entry.in_difference = true;
-    entry.reason =
-        fmt::format("an effect of the Earth's rotation; on the rotor's turn in the body alone it is {:.2e} N m at most",
-                    sizes.of_rotor.largest);
+    entry.reason = fmt::format("an effect of the Earth's rotation; on {} alone it is {:.2e} N m at most",
+                               masses_move(scene.scenario()) ? "what moves in the body" : "the rotor's turn in the body",
+                               sizes.inside.largest);
   } else if (effect.name == kCentrifugal) {
     give(sizes.centrifugal, entry);
     entry.in_difference = true;
@@ -99,7 +104,10 @@ Budget gyrostat_budget(const Scene& scene, const Watch& watch) {
   for (const Effect& effect : all_effects())
     if (effect.is_in_budget(scene)) budget.effects.push_back(entry_of(effect, sizes, scene));
   budget.inputs_unavailable =
-      "how well they must be known is not computed with a rotor in the body; run the scenario with each of them changed";
+      masses_move(scene.scenario())
+          ? "how well they must be known is not computed with masses that move in the body; run the scenario with each of "
+            "them changed"
+          : "how well they must be known is not computed with a rotor in the body; run the scenario with each of them changed";
   budget.warnings.emplace_back(scene.support().no_effect_sizes);
   return budget;
 }

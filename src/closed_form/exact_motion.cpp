@@ -20,6 +20,7 @@ template <class T>
 ExactKind kind_of_gyrostat(const Model<T>& model) {
   const Rotor<T>& rotor = model.rotor;
   if (model.applied.any) return ExactKind::not_plain;
+  if (model.masses.any()) return ExactKind::moving_masses;
   if (norm(model.mass_moment_B) != T(0) && norm(model.apparent_gravity_L) != T(0)) return ExactKind::heavy_gyrostat;
   if (rotor.viscous != T(0) || rotor.coulomb != T(0)) return ExactKind::braked_rotor;
   if (rotor.driven && (rotor.drive.rate != T(0) || rotor.drive.amplitude != T(0))) return ExactKind::changing_rotor;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drift/closed_form_drift.hpp"
-#include "drift/gimbals/gimbal_drift.hpp"
+#include "drift/gimbals/gimbal_watch.hpp"
 #include "drift/integrate_system.hpp"
 #include "drift/long_horizon/long_horizon_drift.hpp"
 #include "drift/pivot/compass_drift.hpp"

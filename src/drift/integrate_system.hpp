@@ -151,6 +151,7 @@ DriftTrajectory<T> integrate_system_at(const std::vector<T>& row_times, System& 
     note_steps(driver, problem, trajectory);
   }
   trajectory.threshold = watcher.threshold();
+  if constexpr (requires { watcher.events().events(); }) trajectory.gimbal_events = watcher.events().events();
   if constexpr (requires { system.stops(); }) {
     for (const auto& [prediction, t, slowing] : system.stops())
       trajectory.stops.push_back({prediction, static_cast<double>(real::scale(t, problem.units.time_exponent)),

@@ -88,8 +88,10 @@ class Checker {
       case vector2: return number_list(node, field, pointer, 2, 2);
       case vector3: return number_list(node, field, pointer, 3, 3);
       case FieldKind::numbers: return number_list(node, field, pointer, 1, 4);
+      case series: return number_list(node, field, pointer, 1, kLongestSeries);
+      case points: return rows(node, field, pointer, 1, kLongestSeries);
       case FieldKind::changes: return change_list(node, field, pointer);
-      case matrix3: return rows(node, field, pointer);
+      case matrix3: return rows(node, field, pointer, 3, 3);
       case anything: return;
     }
   }
@@ -135,9 +137,10 @@ class Checker {
     propagate(node);
   }
 
-  void rows(Node& node, const Field& field, const std::string& pointer) {
-    if (node.kind != JsonKind::array || node.children.size() != 3) return wrong_type(node, field, pointer);
-    for (std::size_t i = 0; i < 3; ++i) number_list(node.children[i], field, fmt::format("{}/{}", pointer, i), 3, 3);
+  void rows(Node& node, const Field& field, const std::string& pointer, std::size_t least, std::size_t most) {
+    const std::size_t size = node.children.size();
+    if (node.kind != JsonKind::array || size < least || size > most) return wrong_type(node, field, pointer);
+    for (std::size_t i = 0; i < size; ++i) number_list(node.children[i], field, fmt::format("{}/{}", pointer, i), 3, 3);
     propagate(node);
   }
 

@@ -90,6 +90,8 @@ std::string allowed_values(const Field& field) {
     case vector3: return numbers_text("an array of 3 numbers", field);
     case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);
     case numbers: return numbers_text("an array of 1 to 4 numbers", field);
+    case series: return numbers_text("an array of 1 to 1000 numbers", field);
+    case points: return numbers_text("an array of 1 to 1000 rows of 3 numbers", field);
     case changes: return "an array of \"/json/pointer=value\"";
     case anything: return "given";
   }

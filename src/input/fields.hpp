@@ -25,9 +25,14 @@ enum class FieldKind {
   vector3,   ///< three numbers
   matrix3,   ///< three rows of three numbers
   numbers,   ///< one to four numbers
+  series,    ///< at least one number, and a thousand at most
+  points,    ///< rows of three numbers, as many
   changes,   ///< "/json/pointer=value", any number of them
   anything,  ///< any JSON, which the decoder checks
 };
+
+/// The most numbers of a series, and rows of points.
+inline constexpr std::size_t kLongestSeries = 1000;
 
 struct Range {
   double least = -std::numeric_limits<double>::infinity();

@@ -25,6 +25,8 @@ std::vector<std::size_t> lengths_of(FieldKind kind) {
     case FieldKind::vector3: return {3};
     case FieldKind::matrix3: return {3, 3};
     case FieldKind::numbers: return {4};
+    case FieldKind::series: return {kAnyLength};
+    case FieldKind::points: return {kAnyLength, 3};
     case FieldKind::changes: return {kAnyLength};
     default: return {};
   }

@@ -22,6 +22,10 @@ Json array_of(int size, Json items) {
   return {{"type", "array"}, {"items", std::move(items)}, {"minItems", size}, {"maxItems", size}};
 }
 
+Json series_of(Json items) {
+  return {{"type", "array"}, {"items", std::move(items)}, {"minItems", 1}, {"maxItems", kLongestSeries}};
+}
+
 class SchemaWriter {
  public:
   SchemaWriter(const FieldTable& table, SchemaRules rules) : table_(table), rules_(rules) {}
@@ -71,6 +75,8 @@ class SchemaWriter {
       case FieldKind::vector3: return array_of(3, number);
       case FieldKind::matrix3: return array_of(3, array_of(3, number));
       case FieldKind::numbers: return {{"type", "array"}, {"items", number}, {"minItems", 1}, {"maxItems", 4}};
+      case FieldKind::series: return series_of(number);
+      case FieldKind::points: return series_of(array_of(3, number));
       case FieldKind::changes:
         return {{"type", "array"}, {"minItems", 1}, {"items", {{"type", "string"}, {"pattern", "^/[^=]*="}}}};
       case FieldKind::anything: return Json::object();

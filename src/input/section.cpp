@@ -71,6 +71,13 @@ std::optional<std::vector<double>> Section::numbers(std::string_view key) const 
     return list;
   });
 }
+std::optional<std::vector<std::array<double, 3>>> Section::points(std::string_view key) const {
+  return read(key, [](const Node& node) {
+    std::vector<std::array<double, 3>> list;
+    for (const Node& child : node.children) list.push_back(three_numbers(child));
+    return list;
+  });
+}
 std::optional<std::vector<std::string>> Section::changes(std::string_view key) const {
   return read(key, [](const Node& node) {
     std::vector<std::string> list;

@@ -36,6 +36,7 @@ class Section {
   std::optional<bool> flag(std::string_view key) const;
   std::optional<std::string> word(std::string_view key) const;
   std::optional<std::vector<double>> numbers(std::string_view key) const;
+  std::optional<std::vector<std::array<double, 3>>> points(std::string_view key) const;
   std::optional<std::vector<std::string>> changes(std::string_view key) const;
   const Node* any(std::string_view key) const;  ///< the key's node; null if it is missing or refused
   std::optional<std::array<double, 2>> pair(std::string_view key) const;

@@ -32,13 +32,18 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   drive.step_limit = options.step_limit;
   drive.limit = work_limit(problem, options);
   drive.watch = watch;
-  for (const PrescribedMotion<T>* motion : {&problem.model.platform.turn, &problem.model.rotor.drive}) {
-    if (!motion->table) continue;
-    const std::vector<T> joints = motion->table->joints();
+  const auto merge = [&](std::vector<T> joints) {
+    std::ranges::sort(joints);
     std::vector<T> merged;
     std::ranges::set_union(drive.joints, joints, std::back_inserter(merged));
+    const auto repeated = std::ranges::unique(merged);
+    merged.erase(repeated.begin(), repeated.end());
     drive.joints = std::move(merged);
-  }
+  };
+  for (const PrescribedMotion<T>* motion : {&problem.model.platform.turn, &problem.model.rotor.drive})
+    if (motion->table) merge(motion->table->joints());
+  for (const MovingMasses<T>* masses : {&problem.model.masses, &problem.model.gimbals.masses})
+    if (masses->any()) merge(masses->joints());
   return drive;
 }
 

@@ -60,20 +60,22 @@ class GeneralMotionSystem
   using Shape = GeneralMotionShape<K>;
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
-  explicit GeneralMotionSystem(const MotionProblem<T>& problem) : problem_(problem), model_(problem.model) {}
+  explicit GeneralMotionSystem(const MotionProblem<T>& problem)
+      : problem_(problem), model_(problem.model), in_time_(problem.model) {}
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
+    const Model<T>& model = in_time_.at(t);
     const Motion<T> motion = load(x);
-    const Vec3<T> field_L = pivot_field<K>(model_, t).rotating_L;
+    const Vec3<T> field_L = pivot_field<K>(model, t).rotating_L;
     Motion<T> rate;
     if constexpr (O == Observer::laboratory)
-      rate = laboratory_equation(model_, motion, field_L, non_inertial_torque<K>(model_, motion));
+      rate = laboratory_equation(model, motion, field_L, non_inertial_torque<K>(model, motion));
     else if constexpr (O == Observer::body)
-      rate = body_equation<true, K>(model_, motion, field_L, inside(x, t));
+      rate = body_equation<true, K>(model, motion, field_L, inside(x, t));
     else
-      rate = inertial_equation<true, K>(model_, motion, field_L, rotation_matrix(turn(t)));
+      rate = inertial_equation<true, K>(model, motion, field_L, rotation_matrix(turn(t)));
     if constexpr (K != SceneKind::plain)
-      if (model_.applied.any) rate.m += applied_share(motion, t);
+      if (model.applied.any) rate.m += applied_share(motion, t);
     store(rate, dxdt);
     if constexpr (kGyrostat) dxdt[7] = inside(x, t).torque;
   }
@@ -136,16 +138,17 @@ class GeneralMotionSystem
   }
   auto inside([[maybe_unused]] const State& x, [[maybe_unused]] T t) const {
     if constexpr (kGyrostat)
-      return rotor_inside(model_.rotor, x[7], t, [&](const Vec3<T>&) { return load(x).m; });
+      return rotor_inside(model_.rotor, x[7], t, in_time_.masses_at(t), [&](const Vec3<T>&) { return load(x).m; });
     else
       return NothingInside{};
   }
   /// The contribution of the applied torques to the time derivative of the observer's rate variable.
   [[gnu::noinline]] Vec3<T> applied_share(const Motion<T>& motion, T t) const {
     const MotionSample<T> seen = seen_in_laboratory(motion, t);
-    const Vec3<T> torque_B = applied_torque_B(model_, t, seen.q_LB, seen.w_LB_B, true);
+    const Model<T>& model = in_time_.at(t);
+    const Vec3<T> torque_B = applied_torque_B(model, t, seen.q_LB, seen.w_LB_B, true);
     if constexpr (O == Observer::body)
-      return times(model_.I_BP_B_inverse, torque_B);
+      return times(model.I_BP_B_inverse, torque_B);
     else
       return times(rotation_matrix(motion.q), torque_B);
   }
@@ -159,6 +162,7 @@ class GeneralMotionSystem
 
   const MotionProblem<T>& problem_;
   const Model<T>& model_;
+  ModelOfKind<K, T> in_time_;
 };
 
 /// The shape of a state: axis and transverse rate, and the frame vector where the attitude is sought.

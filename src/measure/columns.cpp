@@ -19,8 +19,10 @@ constexpr MeasuredUnit kAngleUnits[] = {
 constexpr MeasuredUnit kRateUnits[] = {{"rad_s", 1}, {"rpm", std::numbers::pi / 30}};
 constexpr std::string_view kAxisColumns[] = {"axis_L_x", "axis_L_y", "axis_L_z"};
 constexpr std::string_view kAllowedColumns =
-    "allowed are t_s; azimuth, tilt, drift_azimuth and drift_tilt, each as azimuth_rad, azimuth_deg or azimuth_arcsec with "
-    "azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; rotor_rate_rad_s or "
+    "allowed are t_s; azimuth, tilt, drift_azimuth, drift_tilt, outer_angle and inner_angle, each as azimuth_rad, azimuth_deg "
+    "or "
+    "azimuth_arcsec with azimuth_se_rad, _deg or _arcsec; axis_L_x, axis_L_y, axis_L_z with axis_se_rad, _deg or _arcsec; "
+    "rotor_rate_rad_s or "
     "rotor_rate_rpm with rotor_rate_se_rad_s or _rpm; and names that begin with _, which are skipped";
 
 struct Column {

@@ -17,9 +17,9 @@ struct MeasuredUnit {
   double size;  ///< (rad, or rad/s of a rate)
 };
 std::span<const MeasuredUnit> units_of(MeasuredQuantity quantity);
-inline constexpr MeasuredQuantity kAllMeasured[] = {MeasuredQuantity::azimuth,    MeasuredQuantity::tilt,
-                                                    MeasuredQuantity::axis,       MeasuredQuantity::drift_azimuth,
-                                                    MeasuredQuantity::drift_tilt, MeasuredQuantity::rotor_rate};
+inline constexpr MeasuredQuantity kAllMeasured[] = {
+    MeasuredQuantity::azimuth,    MeasuredQuantity::tilt,       MeasuredQuantity::axis,        MeasuredQuantity::drift_azimuth,
+    MeasuredQuantity::drift_tilt, MeasuredQuantity::rotor_rate, MeasuredQuantity::outer_angle, MeasuredQuantity::inner_angle};
 
 /// The places of a quantity's numbers among the wanted columns, and their units.
 struct QuantityCells {

@@ -78,7 +78,9 @@ constexpr CurveNumber kCurveNumbers[] = {{"azimuth_rad", &CurvePoint::azimuth_ra
                                          {"tilt_rad", &CurvePoint::tilt_rad},
                                          {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
                                          {"drift_tilt_rad", &CurvePoint::drift_tilt_rad},
-                                         {"rotor_rate_rad_s", &CurvePoint::rotor_rate_rad_s}};
+                                         {"rotor_rate_rad_s", &CurvePoint::rotor_rate_rad_s},
+                                         {"outer_angle_rad", &CurvePoint::outer_angle_rad},
+                                         {"inner_angle_rad", &CurvePoint::inner_angle_rad}};
 
 Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
   if (curve.empty()) return nullptr;
@@ -98,8 +100,8 @@ double number_or_nan(const Json& json) {
 
 /// The names of residuals' quantities last as long as the program.
 std::string_view quantity_named(const std::string& name) {
-  for (const std::string_view known :
-       {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt", "rotor_rate"})
+  for (const std::string_view known : {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt",
+                                       "rotor_rate", "outer_angle", "inner_angle"})
     if (known == name) return known;
   refuse_value("not a measured quantity: " + name);
 }

@@ -54,7 +54,7 @@ bool is_azimuth(std::string_view quantity) { return quantity.ends_with("azimuth"
 
 /// The curve's number that a quantity is measured against.
 double CurvePoint::*value_of(std::string_view quantity) {
-  if (quantity == to_string(MeasuredQuantity::rotor_rate)) return &CurvePoint::rotor_rate_rad_s;
+  if (const PartQuantity* part = part_quantity(quantity)) return part->shown;
   if (quantity == "drift_azimuth") return &CurvePoint::drift_azimuth_rad;
   if (quantity == "drift_tilt") return &CurvePoint::drift_tilt_rad;
   return is_azimuth(quantity) ? &CurvePoint::azimuth_rad : &CurvePoint::tilt_rad;
@@ -122,7 +122,7 @@ ShownUnit unit_for(std::string_view quantity, const std::vector<Point>& points) 
 
 /// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".
 std::string spoken(std::string_view quantity) {
-  if (quantity == "rotor_rate") return "Rate of the rotor";
+  if (const PartQuantity* part = part_quantity(quantity)) return part->spoken;
   if (quantity == "azimuth") return "Azimuth";
   if (quantity == "tilt") return "Tilt";
   if (quantity == "axis_azimuth") return "Azimuth of the axis";

@@ -137,6 +137,8 @@ std::string_view to_string(MeasuredQuantity quantity) {
     case MeasuredQuantity::drift_azimuth: return "drift_azimuth";
     case MeasuredQuantity::drift_tilt: return "drift_tilt";
     case MeasuredQuantity::rotor_rate: return "rotor_rate";
+    case MeasuredQuantity::outer_angle: return "outer_angle";
+    case MeasuredQuantity::inner_angle: return "inner_angle";
   }
   return "";
 }

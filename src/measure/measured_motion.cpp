@@ -72,9 +72,15 @@ class RowResiduals {
       case MeasuredQuantity::drift_tilt:
         return append(value, "drift_tilt", value.value, predicted.drift_tilt_rad, value.value - predicted.drift_tilt_rad);
       case MeasuredQuantity::rotor_rate:
-        if (!predicted.rotor_rate_rad_s)
-          refuse(value, "the rate of a rotor was measured, and the scenario has none; give it /rotor, or leave the column out");
-        return append(value, "rotor_rate", value.value, *predicted.rotor_rate_rad_s, value.value - *predicted.rotor_rate_rad_s);
+      case MeasuredQuantity::outer_angle:
+      case MeasuredQuantity::inner_angle: {
+        const PartQuantity& part = *part_quantity(value.quantity);
+        const std::optional<double>& there = predicted.*part.predicted;
+        if (!there)
+          refuse(value,
+                 fmt::format("{} was measured, and {}, or leave the column out", to_string(value.quantity), part.missing));
+        return append(value, to_string(value.quantity), value.value, *there, value.value - *there);
+      }
       case MeasuredQuantity::axis: {
         const Vec3<double> m_L(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
         const auto [along_tilt, along_azimuth] = turn_to(m_L, n_L);
@@ -105,6 +111,16 @@ class RowResiduals {
 
 }  // namespace
 
+const PartQuantity* part_quantity(MeasuredQuantity quantity) {
+  const auto row = std::ranges::find(kPartQuantities, quantity, &PartQuantity::quantity);
+  return row == std::end(kPartQuantities) ? nullptr : &*row;
+}
+const PartQuantity* part_quantity(std::string_view name) {
+  for (const PartQuantity& row : kPartQuantities)
+    if (to_string(row.quantity) == name) return &row;
+  return nullptr;
+}
+
 std::vector<double> measured_times(const Measurement& measurement) {
   std::vector<double> times = {0};
   for (const MeasuredValue& value : measurement.values)
@@ -119,7 +135,8 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
   for (const PredictedAxis& axis : motion.axes)
     points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
                       drift ? axis.drift_azimuth_rad.value_or(kNotMeasured) : kNotMeasured,
-                      drift ? axis.drift_tilt_rad : kNotMeasured, axis.rotor_rate_rad_s.value_or(kNotMeasured)});
+                      drift ? axis.drift_tilt_rad : kNotMeasured, axis.rotor_rate_rad_s.value_or(kNotMeasured),
+                      axis.outer_angle_rad.value_or(kNotMeasured), axis.inner_angle_rad.value_or(kNotMeasured)});
   return points;
 }
 
@@ -152,9 +169,10 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
-      PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}};
+      PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}, {}, {}, {}};
       if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
       if (sample.rotor) axis.rotor_rate_rad_s = sample.rotor->rate;
+      if (sample.gimbals) axis.outer_angle_rad = sample.gimbals->outer.rot, axis.inner_angle_rad = sample.gimbals->inner.rot;
       predicted.axes.push_back(axis);
     }
     for (const ContactEvent& event : motion.contact_events)
@@ -166,7 +184,7 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
       integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
   for (const MotionSample<double>& sample : motion.samples)
-    predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}});
+    predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}, {}, {}, {}});
   return predicted;
 }
 

@@ -4,6 +4,7 @@
 
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "earthtop/drift/contact_event.hpp"
@@ -24,8 +25,30 @@ struct PredictedAxis {
   Vec3<double> n_L = Vec3<double>::Zero();
   double drift_tilt_rad = 0;                ///< (rad); 0 where no drift was asked for
   std::optional<double> drift_azimuth_rad;  ///< (rad), continuous; none where an axis is vertical, or no drift was asked for
-  std::optional<double> rotor_rate_rad_s = {};  ///< relative to the body; none without a rotor
+  std::optional<double> rotor_rate_rad_s = {};                       ///< relative to the body; none without a rotor
+  std::optional<double> outer_angle_rad = {}, inner_angle_rad = {};  ///< continuous; none without gimbals
 };
+
+/// A measured quantity that is one number of a part of the top, beside its axis.
+struct PartQuantity {
+  MeasuredQuantity quantity;
+  std::optional<double> PredictedAxis::*predicted;
+  double CurvePoint::*shown;
+  const char* column;   ///< of its curve
+  const char* spoken;   ///< as a picture calls it
+  const char* missing;  ///< why a scenario may not have it, and what to do
+};
+inline constexpr PartQuantity kPartQuantities[] = {
+    {MeasuredQuantity::rotor_rate, &PredictedAxis::rotor_rate_rad_s, &CurvePoint::rotor_rate_rad_s, "rotor_rate_rad_s",
+     "Rate of the rotor", "the scenario has no rotor; give it /rotor"},
+    {MeasuredQuantity::outer_angle, &PredictedAxis::outer_angle_rad, &CurvePoint::outer_angle_rad, "outer_angle_rad",
+     "Angle of the outer gimbal", "the scenario has no gimbals; give it /gimbals"},
+    {MeasuredQuantity::inner_angle, &PredictedAxis::inner_angle_rad, &CurvePoint::inner_angle_rad, "inner_angle_rad",
+     "Angle of the inner gimbal", "the scenario has no gimbals; give it /gimbals"},
+};
+/// The row of a quantity, by itself or by its name; null for one of the axis.
+const PartQuantity* part_quantity(MeasuredQuantity quantity);
+const PartQuantity* part_quantity(std::string_view name);
 struct PredictedMotion {
   RunStatus status = RunStatus::completed;
   std::vector<PredictedAxis> axes;  ///< one for each time that was reached

@@ -163,7 +163,8 @@ std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std:
         mean.drift_azimuth_rad.reset();
       weights += weight;
     }
-    mean.rotor_rate_rad_s = axes[begin + each / 2].rotor_rate_rad_s;  // it does not swing as the axis does
+    // The parts do not swing as the axis does.
+    for (const PartQuantity& part : kPartQuantities) mean.*part.predicted = axes[begin + each / 2].*part.predicted;
     mean.n_L.normalize();
     mean.drift_tilt_rad /= weights;
     if (mean.drift_azimuth_rad) *mean.drift_azimuth_rad /= weights;

@@ -38,7 +38,8 @@ Mat3<T> base_matrix(const GimbalsSpec& spec) {
 }  // namespace
 
 template <class T>
-Gimbals<T> make_gimbals(const GimbalsSpec& spec, const GimbalReleaseSpec& release) {
+Gimbals<T> make_gimbals(const GimbalsSpec& spec, const GimbalReleaseSpec& release, const std::vector<MovingMassSpec>& masses,
+                        bool has_rotor) {
   Gimbals<T> gimbals;
   gimbals.q_P0 = release_attitude<T>(spec.axis_tilt_deg, spec.axis_azimuth_deg, 0);
   gimbals.R_P0 = base_matrix<T>(spec);
@@ -49,6 +50,11 @@ Gimbals<T> make_gimbals(const GimbalsSpec& spec, const GimbalReleaseSpec& releas
     const Body<T> ring = make_body<T>(*spec.ring);
     gimbals.ring = {ring.I_BP_B, ring.S_BP_B, Vec3<T>(ring.mass * ring.p_PBcm_B)};
   }
+  const MovingMasses<T> all = make_masses<T>(masses, MassCarrier::outer, false);
+  gimbals.ring.S += all.at_release.second_moment, gimbals.ring.I += inertia_of(all.at_release.second_moment);
+  gimbals.ring.mass_moment += all.at_release.mass_moment;
+  gimbals.masses = make_masses<T>(masses, MassCarrier::outer, true);
+  gimbals.has_rotor = has_rotor;
   gimbals.outer = make_bearing<T>(spec.outer), gimbals.inner = make_bearing<T>(spec.inner);
   gimbals.release = {radians<T>(release.outer_angle_deg), radians<T>(release.inner_angle_deg), T(release.outer_rate_rad_s),
                      T(release.inner_rate_rad_s)};
@@ -68,12 +74,13 @@ Gimbals<T> in_units(Gimbals<T> gimbals, int mass, int time) {
     scale(bearing->torsion, 2 * time - mass);
     scale(bearing->regularisation, time);
   }
+  gimbals.masses = in_units(std::move(gimbals.masses), mass, time);
   scale(gimbals.release.outer_rate, time), scale(gimbals.release.inner_rate, time);
   return gimbals;
 }
 
-#define EARTHTOP_GIMBALS(T)                                                       \
-  template Gimbals<T> make_gimbals(const GimbalsSpec&, const GimbalReleaseSpec&); \
+#define EARTHTOP_GIMBALS(T)                                                                                                 \
+  template Gimbals<T> make_gimbals(const GimbalsSpec&, const GimbalReleaseSpec&, const std::vector<MovingMassSpec>&, bool); \
   template Gimbals<T> in_units(Gimbals<T>, int, int);
 EARTHTOP_GIMBALS(double)
 EARTHTOP_GIMBALS(long double)

@@ -27,6 +27,22 @@ Mat3<T> rotor_inertia(const RotorSpec& spec, bool whole) {
   return whole ? Mat3<T>(across + T(spec.axial_kg_m2) * along) : across;
 }
 
+/// Adds a number of times the masses that the body carries, or takes them away.
+template <class T>
+Body<T> changed_by(const Body<T>& body, const std::vector<MovingMassSpec>& specs, int sign) {
+  const MovingMasses<T> masses = make_masses<T>(specs, MassCarrier::body, false);
+  if (!masses.any()) return body;
+  const T factor = T(sign);
+  const MassSums<T>& sums = masses.at_release;
+  Body<T> made = body;
+  for (const MassOnPath<T>& one : masses.masses) made.mass += factor * one.mass;
+  made.p_PBcm_B = (body.mass * body.p_PBcm_B + factor * sums.mass_moment) / made.mass;
+  made.S_BP_B += factor * sums.second_moment;
+  made.I_BP_B += factor * inertia_of(sums.second_moment);
+  made.I_BP_B_inverse = symmetric_inverse(made.I_BP_B);
+  return made;
+}
+
 }  // namespace
 
 template <class T>
@@ -107,18 +123,38 @@ void put_rotor(Model<T>& model, Rotor<T> rotor, const NaturalUnits& units) {
 }
 
 template <class T>
+Body<T> with_masses(const Body<T>& body, const std::vector<MovingMassSpec>& masses) {
+  return changed_by(body, masses, 1);
+}
+template <class T>
+Body<T> without_masses(const Body<T>& all, const std::vector<MovingMassSpec>& masses) {
+  return changed_by(all, masses, -1);
+}
+
+template <class T>
+void put_masses(Model<T>& model, const std::vector<MovingMassSpec>& masses, const NaturalUnits& units) {
+  model.masses = in_units(make_masses<T>(masses, MassCarrier::body, true), units.mass_exponent, units.time_exponent);
+  if (!model.masses.any() || model.kind == SceneKind::gyrostat) return;
+  model.rotor.driven = true;
+  model.rotor.axial = T(0);
+  model.kind = SceneKind::gyrostat;
+}
+
+template <class T>
 void put_gimbals(Model<T>& model, const Gimbals<T>& gimbals, const NaturalUnits& units) {
   model.gimbals = in_units(gimbals, units.mass_exponent, units.time_exponent);
-  model.gimbals.has_rotor = model.kind == SceneKind::gyrostat;
-  if (!model.gimbals.has_rotor) model.rotor.driven = true, model.rotor.axial = T(0);  // nothing turns inside the body
+  if (!gimbals.has_rotor) model.rotor.driven = true, model.rotor.axial = T(0);  // nothing turns inside the body
   model.kind = SceneKind::suspension;
 }
 
-#define EARTHTOP_ROTOR(T)                                                 \
-  template Rotor<T> make_rotor(const RotorSpec&);                         \
-  template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool); \
-  template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool); \
-  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);      \
+#define EARTHTOP_ROTOR(T)                                                                       \
+  template Rotor<T> make_rotor(const RotorSpec&);                                               \
+  template Body<T> gyrostat_body(const Body<T>&, const RotorSpec&, bool);                       \
+  template Body<T> without_rotor(const Body<T>&, const RotorSpec&, bool);                       \
+  template void put_rotor(Model<T>&, Rotor<T>, const NaturalUnits&);                            \
+  template Body<T> with_masses(const Body<T>&, const std::vector<MovingMassSpec>&);             \
+  template Body<T> without_masses(const Body<T>&, const std::vector<MovingMassSpec>&);          \
+  template void put_masses(Model<T>&, const std::vector<MovingMassSpec>&, const NaturalUnits&); \
   template void put_gimbals(Model<T>&, const Gimbals<T>&, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
 EARTHTOP_ROTOR(long double)

@@ -84,10 +84,11 @@ ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, c
 
 /// What turns inside the body, with rates relative to inertial space.
 template <class T>
-RotorInside<T> rotor_at(const Model<T>& model, T t, const Vec3<T>& w_IB_B, T spin) {
+RotorInside<T> rotor_at(const Model<T>& model, T t, const MassSums<T>* masses, const Vec3<T>& w_IB_B, T spin) {
   const Rotor<T>& rotor = model.rotor;
-  if (model.kind != SceneKind::gyrostat) return {Vec3<T>::Zero(), Vec3<T>::Zero(), Mat3<T>::Zero(), T(0), T(0)};
-  return rotor_inside(rotor, T(rotor.axial * (rotor.axis_B.dot(w_IB_B) + spin)), t, [&](const Vec3<T>&) { return w_IB_B; });
+  if (model.kind != SceneKind::gyrostat) return {Vec3<T>::Zero(), Vec3<T>::Zero(), Mat3<T>::Zero(), T(0), T(0), nullptr};
+  return rotor_inside(rotor, T(rotor.axial * (rotor.axis_B.dot(w_IB_B) + spin)), t, masses,
+                      [&](const Vec3<T>&) { return w_IB_B; });
 }
 
 /// The Coriolis torque as Euler's equation gives it, for a frame that turns at u and a body that turns at w relative to it.
@@ -156,20 +157,25 @@ void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const Observing
   }
 }
 
-/// The side of the ledger with Euler's equation.   @param inside_B  the momentum of what turns inside the body, relative to it
+/// The side of the ledger with Euler's equation.   @param inside_B  the momentum of what turns or moves inside the body, relative to it
+/// @param inertia_rate_B  of the inertia, seen from the body
 template <class T>
 Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool in_laboratory, const Mat3<T>& R_LB,
-                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B, const Vec3<T>& inside_B) {
+                        const Vec3<T>& w_LB_B, const Vec3<T>& field_L, const Vec3<T>& further_B, const Vec3<T>& inside_B,
+                        const Mat3<T>& inertia_rate_B) {
   const Mat3<T> I_BP_B = inertia_of_all(model);
   const Vec3<T> u_B = transposed_times(A.R_AB, A.w_IA_A);
-  Vec3<T> cor_B = coriolis_by_euler(I_BP_B, u_B, A.w_AB_B) + inside_B.cross(u_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
+  const auto coriolis_B = [&](const Vec3<T>& frame_B, const Vec3<T>& w_B) {
+    return Vec3<T>(coriolis_by_euler(I_BP_B, frame_B, w_B) + inside_B.cross(frame_B) - times(inertia_rate_B, frame_B));
+  };
+  Vec3<T> cor_B = coriolis_B(u_B, A.w_AB_B), cent_B = centrifugal_by_euler(I_BP_B, u_B);
   Vec3<T> applied_B = field_torque(model.mass_moment_B, transposed_times(R_LB, field_L)) + further_B;
   if (in_laboratory) {
     cor_B *= model.weights.coriolis, cent_B *= model.weights.centrifugal;
   } else {
     const TorqueWeights<T> left_out = model.weights.complement();
     const Vec3<T> W_B = transposed_times(R_LB, model.W_IL_L);
-    applied_B -= left_out.coriolis * (coriolis_by_euler(I_BP_B, W_B, w_LB_B) + inside_B.cross(W_B));
+    applied_B -= left_out.coriolis * coriolis_B(W_B, w_LB_B);
     applied_B -= left_out.centrifugal * centrifugal_by_euler(I_BP_B, W_B);
   }
   const Vec3<T> carried_B = times(I_BP_B, transposed_times(A.R_AB, A.alpha_IA_A));
@@ -188,13 +194,16 @@ void close(LedgerEntry<T>& entry) {
 }  // namespace
 
 template <class T>
-LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t, const Quaternion<T>& q_LB,
+LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& given, T t, const Quaternion<T>& q_LB,
                             const Vec3<T>& w_LB_B, T spin) {
+  const ModelInTime<T> in_time(given);
+  const Model<T>& model = in_time.at(t);
+  const MassSums<T>* masses = in_time.masses_at(t);
   if (observer == LedgerObserver::platform && model.platform.turn.never_turns()) observer = LedgerObserver::laboratory;
   const Mat3<T> R_LB = rotation_matrix(q_LB);
   const Vec3<T> field_L = pivot_field<SceneKind::full>(model, t).rotating_L;
   const Vec3<T> applied_B = model.applied.any ? applied_torque_B(model, t, q_LB, w_LB_B, true) : Vec3<T>(Vec3<T>::Zero());
-  const RotorInside<T> rotor = rotor_at(model, t, Vec3<T>(w_LB_B + transposed_times(R_LB, model.W_IL_L)), spin);
+  const RotorInside<T> rotor = rotor_at(model, t, masses, Vec3<T>(w_LB_B + transposed_times(R_LB, model.W_IL_L)), spin);
   const bool in_laboratory = observer == LedgerObserver::laboratory;
   ObservingFrame<T> A;
   switch (observer) {
@@ -211,10 +220,12 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
   count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B, rotor);
   const Vec3<T> axis_B = model.kind == SceneKind::gyrostat ? model.rotor.axis_B : Vec3<T>(Vec3<T>::Zero());
   if (observer != LedgerObserver::body) {
-    const Vec3<T> inside_B = (model.rotor.axial * rotor.spin) * axis_B;
-    entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B, inside_B);
+    Vec3<T> inside_B = (model.rotor.axial * rotor.spin) * axis_B;
+    if (masses) inside_B += masses->momentum;
+    const Mat3<T> inertia_rate_B = masses ? masses->inertia_rate() : Mat3<T>(Mat3<T>::Zero());
+    entry.dL_dt_A = momentum_rate_A(model, A, in_laboratory, R_LB, w_LB_B, field_L, applied_B, inside_B, inertia_rate_B);
   } else if (model.kind == SceneKind::gyrostat) {
-    // The body is at rest in its own axes: only the rotor's momentum changes. A free rotor's is C (w_IB.c + s), less what the body turns.
+    // The body is at rest in its own axes: only the momentum inside it changes. A free rotor's is C (w_IB.c + s), less what the body turns.
     const T carried = model.rotor.driven ? T(0) : T(model.rotor.axial * axis_B.dot(A.alpha_IA_A));
     entry.dL_dt_A = rotor.momentum_rate_B - carried * axis_B;
   }
@@ -272,7 +283,7 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
   LedgerEntry<T> entry;
   const Vec3<T> physical_H = ledger.gravity + ledger.tip + ledger.gradient + ledger.friction;
   count_torques<T>(entry, model, A, in_laboratory, state.w_LB_B, Vec3<T>::Zero(), transposed_times(x.R_HB, physical_H),
-                   rotor_at(model, t, state.w_LB_B, T(0)));
+                   rotor_at<T>(model, t, nullptr, state.w_LB_B, T(0)));
   const Vec3<T> mass_moment_H = contact.mass * times(x.R_HB, contact.p_OC_B);
   entry.share_A = {from_H(field_torque(mass_moment_H, tide_H)), from_H(ledger.gradient), from_H(ledger.friction),
                    Vec3<T>::Zero()};

@@ -9,7 +9,7 @@ namespace earthtop {
 NaturalUnits natural_units(const Body<double>& body, const Release<double>& release, double gravity_m_s2,
                            double earth_rate_rad_s, const Platform<double>* platform) {
   const double largest_moment = std::max({body.I_BP_B(0, 0), body.I_BP_B(1, 1), body.I_BP_B(2, 2)});
-  const double pendulum_rate = std::sqrt(body.mass * gravity_m_s2 * norm(body.p_PBcm_B) / largest_moment);
+  const double pendulum_rate = std::sqrt(body.mass * std::abs(gravity_m_s2) * norm(body.p_PBcm_B) / largest_moment);
   double fastest = std::max({norm(release.w_XB_B), pendulum_rate, std::abs(earth_rate_rad_s)});
   if (platform != nullptr) {
     const PrescribedMotion<double>& turn = platform->turn;

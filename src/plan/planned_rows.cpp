@@ -21,11 +21,11 @@ namespace {
     for (const measure::MeasuredUnit& unit : measure::units_of(quantity))
       names.push_back(fmt::format("{}_{}", to_string(quantity), unit.name));
   const auto meant = input::suggest(name, std::vector<std::string_view>(names.begin(), names.end()));
-  throw ScenarioError(
-      "--measure " + input::excerpt(name, 80),
-      fmt::format("unknown; allowed are azimuth, tilt, axis, drift_azimuth and drift_tilt, each with _rad, _deg "
-                  "or _arcsec, e.g. azimuth_deg; and rotor_rate_rad_s or rotor_rate_rpm{}",
-                  meant ? fmt::format("; did you mean {}?", *meant) : ""));
+  throw ScenarioError("--measure " + input::excerpt(name, 80),
+                      fmt::format("unknown; allowed are azimuth, tilt, axis, drift_azimuth, drift_tilt, outer_angle and "
+                                  "inner_angle, each with _rad, _deg "
+                                  "or _arcsec, e.g. azimuth_deg; and rotor_rate_rad_s or rotor_rate_rpm{}",
+                                  meant ? fmt::format("; did you mean {}?", *meant) : ""));
 }
 
 }  // namespace
@@ -67,8 +67,10 @@ void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
     while (motion.axes[at].t_s < value.t_s) ++at;
     const Vec3<double>& n_L = motion.axes[at].n_L;
     value.axis_L = {n_L[0], n_L[1], n_L[2]};
-    if (value.quantity == MeasuredQuantity::rotor_rate && !motion.axes[at].rotor_rate_rad_s)
-      throw ScenarioError("--measure", "rotor_rate: the scenario has no rotor; give it /rotor, or measure something else");
+    const measure::PartQuantity* part = measure::part_quantity(value.quantity);
+    if (part != nullptr && !(motion.axes[at].*part->predicted))
+      throw ScenarioError("--measure",
+                          fmt::format("{}: {}, or measure something else", to_string(value.quantity), part->missing));
   }
   std::vector<MeasurementResidual> residuals;
   try {

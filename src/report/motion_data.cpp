@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
 
 #include "earthtop/model/gyrostat.hpp"
@@ -82,6 +84,25 @@ void add_rotor(const Run& run, const RotorSpec& spec, Json& data) {
                    {"rate_rad_s", largest_size(values(run.drawn, "rotor_rate_rad_s"))}};
 }
 
+/// The masses that move in the body: where each is in body axes, the heaviest ones where there are many.
+void add_masses(const Run& run, Json& data) {
+  constexpr int kPlaceBits = 12;
+  constexpr std::size_t kMost = 12;
+  std::vector<MassOnPath<double>> masses = run.scene->model<double>().masses.masses;
+  std::ranges::stable_sort(masses, std::ranges::greater(), &MassOnPath<double>::mass);
+  masses.resize(std::min(masses.size(), kMost));
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    Json place = Json::array();
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> list;
+      for (const Row& row : run.played.rows) list.push_back(masses[i].at(row.t_s).place[axis]);
+      place.push_back(packed(list, kPlaceBits));
+    }
+    data["packed"]["vectors"]["mass_" + std::to_string(i)] = std::move(place);
+  }
+  data["masses"] = masses.size();
+}
+
 /// Half way between the least and the greatest of the numbers that are finite.
 double middle(const std::vector<double>& list) {
   const Reach reach = reach_of(list);
@@ -155,6 +176,7 @@ void add_motion(const Run& run, Json& data) {
   if (run.scene->symmetry_axis() != 2) add_attitude(run, data);
   if (const auto& rotor = run.scene->scenario().rotor; rotor && !run.played.rows.empty()) add_rotor(run, *rotor, data);
   const Model<double>& model = run.scene->model<double>();
+  if (model.masses.any()) add_masses(run, data);
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
 }
 

@@ -74,7 +74,7 @@ Torques torques_at(const Model<double>& model, const Row& row) {
   static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s"), rate = column("rotor_rate_rad_s");
   const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
   const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
-  const double spin = model.kind == SceneKind::gyrostat ? row.value[rate] : 0;
+  const double spin = model.kind == SceneKind::gyrostat && model.rotor.axial > 0 ? row.value[rate] : 0;
   const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B, spin);
   return {entry.tau_phys_A, entry.tau_cor_A, entry.tau_trans_A, entry.tau_cent_A};
 }
@@ -115,11 +115,12 @@ Json torques_of(const Run& run, const Model<double>& model) {
 /// The largest torque of apparent gravity about the pivot over the motion that is drawn (N m).
 double largest_gravity(const Run& run) {
   const Model<double>& model = run.scene->model<double>();
+  const ModelInTime<double> in_time(model);
   const std::size_t axis = column("q_LB_w");
   double largest = 0;
   for (const Row& row : run.drawn.rows) {
     const Quaternion<double> q_LB{row.value[axis], Vec3<double>(row.value[axis + 1], row.value[axis + 2], row.value[axis + 3])};
-    const Vec3<double> moment_L = Rotation<double>(q_LB) * model.mass_moment_B;
+    const Vec3<double> moment_L = Rotation<double>(q_LB) * in_time.at(row.t_s).mass_moment_B;
     largest = std::max(largest, moment_L.cross(model.apparent_gravity_L).norm());
   }
   return largest;

@@ -22,7 +22,11 @@ bool has_table_friction(const Scene& scene) {
          (contact->law != ContactLaw::frictionless || contact->spinning_friction_m > 0 || contact->rolling_resistance_m > 0);
 }
 
-bool has_rotor(const Scene& scene) { return scene.scenario().rotor.has_value(); }
+/// Whether something moves in the body, or the body in gimbals.
+bool has_parts(const Scene& scene) {
+  return scene.scenario().rotor || scene.scenario().gimbals || masses_move(scene.scenario());
+}
+bool has_gimbals(const Scene& scene) { return scene.scenario().gimbals.has_value(); }
 
 constexpr TorqueQuantity kTorques[] = {
     torque("tau_phys",
@@ -51,17 +55,24 @@ constexpr TorqueQuantity kTorques[] = {
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
     torque(
         "tau_cor_inertia", "part of the Coriolis torque: the change of the inertia that the observer sees",
-        "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, has_rotor),
+        "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, has_parts),
     torque(
         "tau_cor_gyroscopic", "part of the Coriolis torque: gyroscopic, of the angular momentum that the observer sees",
-        "tau_cor_gyroscopic_N_m", [](const auto& r) { return r.tau_cor_gyroscopic_A; }, has_rotor),
+        "tau_cor_gyroscopic_N_m", [](const auto& r) { return r.tau_cor_gyroscopic_A; }, has_parts),
     torque(
         "force_table", "force of the table on the tip", "force_table_N", [](const auto& r) { return r.force_table_A; },
         [](const Scene& scene) { return scene.support().has_contact; }, RowPart::torque, "_N"),
+    torque(
+        "bearing_outer", "torque of the support on the outer gimbal, which stands beside the physical torque",
+        "bearing_outer_N_m", [](const auto& r) { return r.bearing_outer_A; }, has_gimbals),
+    torque(
+        "bearing_inner", "torque of the outer gimbal on the body", "bearing_inner_N_m",
+        [](const auto& r) { return r.bearing_inner_A; }, has_gimbals),
 };
 
 constexpr bool shares_are_in_order() {
-  constexpr std::size_t kFirst = std::size(kTorques) - 3 - kAppliedShares.size();  // those of a rotor and of a table are last
+  constexpr std::size_t kFirst =
+      std::size(kTorques) - 5 - kAppliedShares.size();  // those of a rotor, a table and gimbals are last
   for (std::size_t i = 0; i < kAppliedShares.size(); ++i)
     if (kTorques[kFirst + i].stem.substr(4) != kAppliedShares[i]) return false;
   return true;

@@ -260,6 +260,16 @@ constexpr auto kDriftMembers = [] {
       compared("growth_of_disturbances.round_off_grown_s", error, span, kAtEnd,
                [](R r) { return r.verdict.round_off_grown_s; }),
       compared("growth_of_disturbances.earth_grown_s", time, span, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
+      // What happened to a Cardan suspension on its way.
+      list("gimbal_events", [](R r) { return r.gimbal_events.size(); }),
+      of_event(compared("gimbal_events.*.type", word, at_event, kFromRows,
+                        [](R r, I i) { return to_string(r.gimbal_events[i].kind); })),
+      of_event(compared("gimbal_events.*.t_s", time, at_event, kFromRows, [](R r, I i) { return r.gimbal_events[i].t_s; })),
+      of_event(
+          compared("gimbal_events.*.bound_s", error, at_event, kFromRows, [](R r, I i) { return r.gimbal_events[i].bound_s; })),
+      told("gimbal_events.*.axis_angle_rad", kFromRows, kIsMarked, [](R r, I i) { return r.gimbal_events[i].axis_angle_rad; }),
+      told("gimbal_events.*.outer_rate_rad_s", kFromRows, kIsMarked,
+           [](R r, I i) { return r.gimbal_events[i].outer_rate_rad_s; }),
       // The times at which dry friction brought a motion to rest.
       list("stops", [](R r) { return r.stops.size(); }),
       of_event(

@@ -47,6 +47,16 @@ ContactSpec any_contact(int kind) {
   return contact;
 }
 
+MovingMassSpec any_mass(int kind) {
+  MovingMassSpec mass;
+  mass.motion = kind == 0   ? MassMotion::circle
+                : kind == 1 ? MassMotion::harmonic
+                : kind == 2 ? MassMotion::waypoints
+                            : MassMotion::table;
+  mass.times_s = {0, 1};
+  mass.points_m = {{0, 0, 0}, {0, 0, 1}};
+  return mass;
+}
 /// A scenario with every optional key; where only one of several alternatives is possible, `kind` decides which one.
 Scenario any_scenario(int kind) {
   Scenario scenario;
@@ -63,6 +73,7 @@ Scenario any_scenario(int kind) {
   scenario.start_utc = "2026-01-01T00:00:00Z";
   scenario.rotor = RotorSpec{1, 1, 1, {0, 0, 1}, {0, 0, 0}, 1, RotorDrive::none, 1, 1, 1, 1, 1, 1, 1};
   scenario.gimbals.emplace().ring = any_body(kind);
+  scenario.moving_masses = {any_mass(kind)};
   scenario.platform = PlatformSpec{};
   scenario.platform->motion = static_cast<PlatformMotion>(kind % 4);
   const bool first = kind == 0;

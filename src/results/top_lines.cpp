@@ -28,6 +28,27 @@ std::string precession(double rad_s) {
   return with_period(std::abs(rad_s), rad_s > 0 ? "counterclockwise from above, a turn in" : "clockwise from above, a turn in");
 }
 
+using Lines = std::vector<std::pair<std::string, std::string>>;
+
+void add_gimbals(const TopFigures::OfGimbals& gimbals, Lines& lines) {
+  lines.emplace_back(
+      "gimbals", fmt::format("{:.6g} kg m² about the outer axis, {:.6g} kg m² about the inner one, without the rotor's spin",
+                             gimbals.outer_moment_kg_m2, gimbals.inner_moment_kg_m2));
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  if (gimbals.outer_rest_rad && gimbals.inner_rest_rad) {
+    std::string swings = fmt::format("outer angle {:.6g} deg, inner angle {:.6g} deg", *gimbals.outer_rest_rad * kDegrees,
+                                     *gimbals.inner_rest_rad * kDegrees);
+    if (gimbals.slow_period_s) swings += fmt::format("; small swings about it take {:.6g} s", *gimbals.slow_period_s);
+    if (gimbals.slow_period_s && gimbals.fast_period_s) swings += fmt::format(" and {:.6g} s", *gimbals.fast_period_s);
+    lines.emplace_back("place of rest", swings);
+  }
+  if (!gimbals.earth_torque_N_m) return;
+  std::string imitates = fmt::format("a torque of {:.4g} N m", *gimbals.earth_torque_N_m);
+  if (gimbals.earth_offset_m) imitates += fmt::format(", a centre of mass that is off by {:.4g} m", *gimbals.earth_offset_m);
+  if (gimbals.earth_nutation_rad) imitates += fmt::format(", a nutation of {:.4g} deg", *gimbals.earth_nutation_rad * kDegrees);
+  lines.emplace_back("like the Earth", imitates);
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top) {
@@ -55,6 +76,7 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
                                                top.nutation_kind == NutationKind::of_release
                                                    ? "at the amplitude of this release"
                                                    : "of small amplitude; this release does not nutate"));
+  if (top.gimbals) add_gimbals(*top.gimbals, lines);
   for (const std::string& note : top.notes) lines.emplace_back("note", note);
   for (const std::string& what : top.left_out) lines.emplace_back("left out", what);
   return lines;

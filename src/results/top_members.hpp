@@ -61,6 +61,26 @@ inline constexpr auto kTopMembers = [] {
       of_scenario(
           compared("top.spin_over_critical", derived, any, kAtEnd, [](R r) { return r.scene.top().spin_over_critical; })),
       of_scenario(compared("top.rim_speed_m_s", derived, any, kAtEnd, [](R r) { return r.scene.top().rim_speed_m_s; })),
+      // Of a body in gimbals: moments about both axes; small swings about the place of rest; what would imitate the Earth.
+      object_or_nothing("top.gimbals", [](R r) { return r.scene.scenario().gimbals.has_value(); }),
+      of_scenario(compared("top.gimbals.outer_moment_kg_m2", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->outer_moment_kg_m2; })),
+      of_scenario(compared("top.gimbals.inner_moment_kg_m2", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->inner_moment_kg_m2; })),
+      of_scenario(compared("top.gimbals.slow_period_s", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->slow_period_s; })),
+      of_scenario(compared("top.gimbals.fast_period_s", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->fast_period_s; })),
+      of_scenario(compared("top.gimbals.outer_rest_rad", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->outer_rest_rad; })),
+      of_scenario(compared("top.gimbals.inner_rest_rad", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->inner_rest_rad; })),
+      of_scenario(compared("top.gimbals.earth_torque_N_m", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->earth_torque_N_m; })),
+      of_scenario(compared("top.gimbals.earth_offset_m", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->earth_offset_m; })),
+      of_scenario(compared("top.gimbals.earth_nutation_rad", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().gimbals->earth_nutation_rad; })),
       told(
           "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),
       told(

@@ -86,6 +86,7 @@ void keep_rows(const TwoIntegrations<T>& made, RunResult& result) {
   for (auto* angle : {&result.drift.outer_angle, &result.drift.inner_angle})
     if (*angle) (*angle)->bound_rad = (*angle)->max_bound_rad = kUnknown;
   result.stops = made.first.stops;
+  result.gimbal_events = made.first.gimbal_events;
   result.verdict.reason = "interrupted after the rows were computed, but before the bounds on their errors were";
   result.notes.emplace_back(
       "partial: interrupted before error bounds and verdict were computed; run the scenario again for them");
@@ -208,6 +209,7 @@ class Assembly {
     if (scenario_.threshold_rad && has_drift(result_))
       assess_threshold(made_, *scenario_.threshold_rad, kSafety, result_.drift);
     result_.stops = assess_stops(made_, kSafety);
+    result_.gimbal_events = assess_gimbal_events(made_, kSafety);
     if (has_drift(result_)) azimuths_ = look_between(scene_, made_, std::move(between_), judged_, rows_, result_);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/assessment.hpp"
 
+#include "earthtop/model/gimbal_ledger.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "run/invariant_follower.hpp"
@@ -19,17 +20,29 @@ Vec3<T> vector(const std::array<T, 3>& v) {
   return {v[0], v[1], v[2]};
 }
 
+/// Whether gravity has no moment about the outer axis of a suspension: this is upright, or all parts are balanced.
+bool is_without_gravity_about_outer_axis(const Scene& scene) {
+  const Model<double>& model = scene.model<double>();
+  const bool is_balanced =
+      model.mass_moment_B == Vec3<double>::Zero() && model.gimbals.ring.mass_moment == Vec3<double>::Zero();
+  const double tilt = scene.scenario().gimbals->axis_tilt_deg;
+  return tilt == 0 || tilt == 180 || is_balanced || scene.site().gravity_m_s2 == 0;
+}
+
 PivotConditions conditions_of(const Scene& scene) {
   PivotConditions conditions;
-  conditions.alone =
-      scene.is_plain() || (scene.support().has_rotor && !scene.scenario().platform && scene.scenario().effects.plain());
+  conditions.alone = scene.is_plain() ||
+                     (scene.support().has_moving_parts() && !scene.scenario().platform && scene.scenario().effects.plain());
+  conditions.gimbals = scene.scenario().gimbals ? &*scene.scenario().gimbals : nullptr;
+  if (conditions.gimbals != nullptr) conditions.outer_axis_without_gravity = is_without_gravity_about_outer_axis(scene);
   const auto& rotor = scene.scenario().rotor;
+  conditions.masses_move = masses_move(scene.scenario());
   conditions.has_rotor = rotor.has_value();
   if (!rotor) {
     conditions.symmetry_axis = scene.symmetry_axis();
     return conditions;
   }
-  conditions.rotor_keeps_momentum = rotor->drive == RotorDrive::none && !rotor->has_friction();
+  conditions.rotor_keeps_momentum = !conditions.masses_move && rotor->drive == RotorDrive::none && !rotor->has_friction();
   conditions.rotor_is_steady = conditions.rotor_keeps_momentum || rotor->drive == RotorDrive::constant;
   return conditions;
 }
@@ -54,8 +67,11 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     if (ledger.size() % 64 == 0) watch.reach(static_cast<double>(ledger.size()) / static_cast<double>(rows.size()));
-    ledger.push_back(ledger_row(ledger_entry(*scene.scenario().ledger, model, row.t_s, quaternion_of(row.q_LB),
-                                             vector_of(row.w_LB_B), row.rotor ? row.rotor->rate_rad_s : T(0))));
+    const T spin = row.rotor ? row.rotor->rate_rad_s : T(0);
+    const LedgerObserver observer = *scene.scenario().ledger;
+    ledger.push_back(
+        ledger_row(row.gimbals ? ledger_entry_in_gimbals(observer, model, row.t_s, gimbal_angles(*row.gimbals, true), spin)
+                               : ledger_entry(observer, model, row.t_s, quaternion_of(row.q_LB), vector_of(row.w_LB_B), spin)));
   }
   return ledger;
 }
@@ -64,7 +80,7 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
-  if (!scene.is_plain() && !scene.scenario().rotor) return {};
+  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor) return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
                                       : follow_invariants(scene, result.extended_rows, watch);
 }

@@ -14,6 +14,9 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 
 /// Returns the leading-order predictions that apply to the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
+/// Those of a Cardan suspension.   @param looks  at the motion, and not its rows
+std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& looks,
+                                                   const DriftSummary& drift);
 
 /// A swing of the azimuth drift's rate that is slower than the run.
 struct SlowSwing {

@@ -25,10 +25,13 @@ struct LanePoint {
 using Shared = std::tuple<SceneKind, bool, ModelForm, double, std::int64_t>;
 
 /// Whether the equations of a scene that is not plain can be recorded for lanes: a motion on a pivot that is smooth from the release on.
-/// That of a table is smooth only between its points, where the steps of a lane do not end.
+/// That of a table or of waypoints is smooth only between its points, where the steps of a lane do not end.
 bool can_be_recorded(const Scene& scene) {
   return !scene.support().has_contact && scene.scenario().effects.applied.coulomb_N_m == 0 &&
-         tables_of(scene.scenario()).empty() && scene.problem_without_rows<double>().model.kind != SceneKind::plain;
+         tables_of(scene.scenario()).empty() &&
+         std::ranges::none_of(scene.scenario().moving_masses,
+                              [](const MovingMassSpec& mass) { return mass.motion == MassMotion::waypoints; }) &&
+         scene.problem_without_rows<double>().model.kind != SceneKind::plain;
 }
 
 /// Returns whether the run of this scene is a single pair of integrations of which the first is a Taylor series, either of a

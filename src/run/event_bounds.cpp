@@ -131,6 +131,17 @@ void assess_threshold(const TwoIntegrations<T>& made, double threshold_rad, int 
 }
 
 template <class T>
+std::vector<GimbalEvent> assess_gimbal_events(const TwoIntegrations<T>& made, int safety) {
+  std::vector<GimbalEvent> events = made.first.gimbal_events;
+  const std::vector<GimbalEvent>& others = made.second.gimbal_events;
+  for (std::size_t i = 0; i < std::min(events.size(), others.size()); ++i) {
+    if (others[i].kind != events[i].kind) break;
+    events[i].bound_s = safety * std::abs(others[i].t_s - events[i].t_s) + 64 * real::epsilon<double>() * events[i].t_s;
+  }
+  return events;
+}
+
+template <class T>
 std::vector<StopEvent> assess_stops(const TwoIntegrations<T>& made, int safety) {
   std::vector<StopEvent> stops = made.first.stops;
   for (StopEvent& stop : stops) {
@@ -146,7 +157,8 @@ std::vector<StopEvent> assess_stops(const TwoIntegrations<T>& made, int safety) 
 
 #define EARTHTOP_EVENT_BOUNDS(T)                                                         \
   template void assess_threshold(const TwoIntegrations<T>&, double, int, DriftSummary&); \
-  template std::vector<StopEvent> assess_stops(const TwoIntegrations<T>&, int);
+  template std::vector<StopEvent> assess_stops(const TwoIntegrations<T>&, int);          \
+  template std::vector<GimbalEvent> assess_gimbal_events(const TwoIntegrations<T>&, int);
 EARTHTOP_EVENT_BOUNDS(double)
 EARTHTOP_EVENT_BOUNDS(long double)
 EARTHTOP_EVENT_BOUNDS(float128)

@@ -17,4 +17,8 @@ void assess_threshold(const TwoIntegrations<T>& made, double threshold_rad, int 
 template <class T>
 std::vector<StopEvent> assess_stops(const TwoIntegrations<T>& made, int safety);
 
+/// Returns the events of a suspension of the first integration with their bounds.
+template <class T>
+std::vector<GimbalEvent> assess_gimbal_events(const TwoIntegrations<T>& made, int safety);
+
 }  // namespace earthtop

@@ -41,20 +41,37 @@ class InvariantFollower {
   bool first_ = true;
 };
 
+/// The angles of a row's gimbals and their rates, of one of its two motions.
+template <class T>
+GimbalAngles<T> gimbal_angles(const BasicGimbalRow<T>& row, bool rotating) {
+  if (rotating) return {row.outer_angle_rad, row.inner_angle_rad, row.outer_rate_rad_s, row.inner_rate_rad_s};
+  return {row.ref_outer_angle_rad, row.ref_inner_angle_rad, row.ref_outer_rate_rad_s, row.ref_inner_rate_rad_s};
+}
+
 /// @param quantity  must have a meaning on a pivot   @param model  in SI units
 template <class T>
 InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Model<T>& model,
                                   const std::vector<BasicDriftRow<T>>& rows, const Watch& watch = {}) {
-  const bool vertical = model.W_IL_L[0] == T(0) && model.W_IL_L[1] == T(0);
-  const bool rotating =
-      quantity.motion == ConservingMotion::rotating || (quantity.motion == ConservingMotion::about_up && vertical);
+  const Vec3<T> across_up = model.W_IL_L.cross(Vec3<T>(Vec3<T>::UnitZ()));
+  const Vec3<T> across_outer = model.W_IL_L.cross(Vec3<T>(model.gimbals.R_P0.col(2)));
+  constexpr int kRounding = 8;  // units in the last place, of an outer axis that is parallel to the Earth's
+  const bool rotating = quantity.motion == ConservingMotion::rotating ||
+                        (quantity.motion == ConservingMotion::about_up && norm(across_up) == T(0)) ||
+                        (quantity.motion == ConservingMotion::about_outer_axis &&
+                         norm(across_outer) <= T(kRounding) * real::epsilon<T>() * norm(model.W_IL_L));
+  const ModelInTime<T> in_time(model);
   InvariantFollower<T> follower(quantity);
   for (const BasicDriftRow<T>& row : rows) {
     if (watch.asks_to_stop()) break;
     const T rate = !row.rotor ? T(0) : rotating ? row.rotor->rate_rad_s : row.rotor->ref_rate_rad_s;
+    const GimbalAngles<T> gimbals = row.gimbals ? gimbal_angles(*row.gimbals, rotating) : GimbalAngles<T>();
+    const Model<T>& now = row.gimbals ? model : in_time.at(row.t_s);
+    const MassSums<T>* masses = in_time.masses_at(row.t_s);
     follower.include(quantity.on_pivot(
-        rotating ? InstantOnPivot<T>{model, model.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate}
-                 : InstantOnPivot<T>{model, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate}));
+        rotating
+            ? InstantOnPivot<T>{now, now.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate, gimbals, masses, row.t_s}
+            : InstantOnPivot<T>{now, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate, gimbals,
+                                masses, row.t_s}));
   }
   return follower.report();
 }

@@ -18,7 +18,8 @@ template <class T>
 using Samples = std::vector<DriftSample<T>>;
 
 constexpr SupportReports kTable{growth_on_table, why::tell_on_table}, kPivot{growth_on_pivot, why::tell_on_pivot},
-    kRotor{growth_on_pivot, why::tell_with_rotor}, kSuspension{growth_on_pivot, why::tell_with_gimbals};
+    kRotor{growth_on_pivot, why::tell_with_rotor}, kMasses{growth_on_pivot, why::tell_with_masses},
+    kSuspension{growth_on_pivot, why::tell_with_gimbals};
 
 /// The attitude's rounding on a table is that of the rate at release, because the nudge on a table is little more, and the angle of spin makes the most of it.
 template <class T>
@@ -62,9 +63,9 @@ constexpr SupportReportsIn<T> kPivotIn{
     [](const RunResult& result, const Samples<T>&, const Watch& watch) { return assess_ledger(result, watch); }};
 
 /// Both in the order of SupportKind.
-constexpr std::array kReports = {kTable, kSuspension, kRotor, kPivot, kPivot, kPivot};
+constexpr std::array kReports = {kTable, kSuspension, kMasses, kRotor, kPivot, kPivot, kPivot};
 template <class T>
-constexpr std::array kReportsIn = {kTableIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>};
+constexpr std::array kReportsIn = {kTableIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>};
 static_assert(kReports.size() == kSupportCount && kReportsIn<double>.size() == kSupportCount);
 
 }  // namespace

@@ -102,27 +102,45 @@ void tell_coriolis_torques(Told& told) {
 /// Without a torque, and with the same rates in space, both predictions are one motion among the stars.
 void tell_turns_with_the_stars(Told& told) {
   const Scenario& scenario = told.scene.scenario();
-  const bool is_balanced = told.scene.site().gravity_m_s2 == 0 || told.scene.body<double>().p_PBcm_B == Vec3<double>::Zero();
+  const bool is_balanced = told.scene.site().gravity_m_s2 == 0 ||
+                           (!masses_move(scenario) && told.scene.body<double>().p_PBcm_B == Vec3<double>::Zero());
   const DriftRow& last = told.result.rows.back();
   const double turned = told.Omega() * last.t_s;
   constexpr double kHalfTurn = std::numbers::pi, kRounding = 1e-13;
   if (!is_balanced || scenario.release.rates_relative_to != RatesRelativeTo::inertial || scenario.effects.applied.any() ||
       !(turned < kHalfTurn) || std::abs(last.drift_attitude_rad - turned) > last.drift_attitude_bound_rad + kRounding * turned)
     return;
-  told.add(
-      "turns_with_the_stars",
-      fmt::format(
-          "Nothing outside acts on body and rotor, and both predictions start with the same rates in space: there they are "
-          "the same motion, whatever happens between body and rotor. Seen from the laboratory the attitude turns with the "
-          "stars, by |Ω| t = {}, and by {} in this run.",
-          angle_text(turned, 10), angle_text(last.drift_attitude_rad, 10)),
-      {{"predicted_rad", turned}, {"computed_rad", last.drift_attitude_rad}});
+  const char* const parts = masses_move(scenario) ? "the body and what moves in it" : "body and rotor";
+  told.add("turns_with_the_stars",
+           fmt::format("Nothing outside acts on {}, and both predictions start with the same rates in "
+                       "space: there they are "
+                       "the same motion, whatever happens between {}. Seen from the laboratory the attitude turns with the "
+                       "stars, by |Ω| t = {}, and by {} in this run.",
+                       parts, parts, angle_text(turned, 10), angle_text(last.drift_attitude_rad, 10)),
+           {{"predicted_rad", turned}, {"computed_rad", last.drift_attitude_rad}});
 }
 
 }  // namespace
 
 void tell_caged(Told& told) {
   if (const auto& rotor = told.scene.scenario().rotor) tell_of_symmetric_cage(told, *rotor);
+}
+
+void tell_with_masses(Told& told) {
+  const ModelInTime<double> in_time(told.scene.model<double>());
+  const auto of_masses = [&](const DriftRow& look) {
+    return coriolis_torque_L(told, look, in_time.masses_at(look.t_s)->velocity_moment);
+  };
+  const double all = largest_length(told.result, [&](const DriftRow& look) { return coriolis_torque_L(told, look); });
+  const double moving = largest_length(told.result, of_masses);
+  tell_earth_turns(told);
+  told.add("coriolis_torque",
+           fmt::format(
+               "To an observer in the laboratory, a Coriolis torque acts on all parts, {:.3g} N m at most; on what the masses "
+               "move in the body alone it is {:.3g} N m at most, which would turn a body that rests, too.",
+               all, moving),
+           {{"coriolis_torque_N_m", all}, {"on_masses_N_m", moving}});
+  tell_turns_with_the_stars(told);
 }
 
 void tell_with_rotor(Told& told) {

@@ -56,7 +56,10 @@ inline Vec3<double> coriolis_torque_on_rotor_L(const Told& told, const DriftRow&
 }
 /// The whole Coriolis torque (N m) at a look, as the ledger of the laboratory observer counts it.
 inline Vec3<double> coriolis_torque_L(const Told& told, const DriftRow& look) {
-  const Mat3<double> J_B = velocity_moment<double>(told.scene.model<double>().S_BP_B, vector(look.w_LB_B));
+  const Model<double>& model = told.scene.model<double>();
+  const ModelInTime<double> in_time(model);
+  Mat3<double> J_B = velocity_moment<double>(in_time.at(look.t_s).S_BP_B, vector(look.w_LB_B));
+  if (const MassSums<double>* masses = in_time.masses_at(look.t_s)) J_B += masses->velocity_moment;
   const Vec3<double> of_body = coriolis_torque_L(told, look, J_B);
   return look.rotor ? Vec3<double>(of_body + coriolis_torque_on_rotor_L(told, look)) : of_body;
 }
@@ -115,6 +118,7 @@ void tell_gyrocompass(Told& told);
 void tell_caged(Told& told);
 void tell_with_rotor(Told& told);
 void tell_with_gimbals(Told& told);
+void tell_with_masses(Told& told);
 void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
 

@@ -34,34 +34,58 @@ std::string no_number(std::string_view key, std::string_view field) {
 }
 
 /// Appends a row. @returns what is wrong with it; empty if it is valid
-std::optional<std::string> read_row(std::string_view line, const TableKind& kind, AngleTable& table) {
+std::optional<std::string> read_row(std::string_view line, const TableKind& kind, std::vector<AngleTable>& tables) {
   if (line.empty()) return fmt::format("is empty; must be a row \"{}\", or leave it out", kind.header);
-  std::vector<std::string_view> cells;
-  input::split_cells(line, ',', cells, 3);
-  if (cells.size() != 2) return fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line));
-  const auto time = finite_number(cells[0]), value = finite_number(cells[1]);
-  if (!time) return no_number("t_s", cells[0]);
-  if (!value) return no_number(kind.column(), cells[1]);
-  if (!table.t_s.empty() && !(*time > table.t_s.back()))
-    return fmt::format("t_s is {} after {}; times must ascend, each above the one before", *time, table.t_s.back());
-  table.t_s.push_back(*time);
-  table.value.push_back(*value);
+  const std::size_t columns = tables.size() + 1;
+  std::vector<std::string_view> cells, names;
+  input::split_cells(line, ',', cells, columns + 1);
+  input::split_cells(kind.header, ',', names, columns);
+  if (cells.size() != columns)
+    return columns == 2 ? fmt::format("is \"{}\"; must be two numbers with one comma between them", shown_text(line))
+                        : fmt::format("is \"{}\"; must be {} numbers with commas between them", shown_text(line), columns);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < columns; ++i) {
+    const auto number = finite_number(cells[i]);
+    if (!number) return no_number(names[i], cells[i]);
+    numbers.push_back(*number);
+  }
+  const std::vector<double>& times = tables.front().t_s;
+  if (!times.empty() && !(numbers[0] > times.back()))
+    return fmt::format("t_s is {} after {}; times must ascend, each above the one before", numbers[0], times.back());
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    tables[i].t_s.push_back(numbers[0]), tables[i].value.push_back(numbers[i + 1]);
   return std::nullopt;
+}
+
+/// Says that a table is too fast for what it lists; empty where it is not.
+std::optional<std::string> too_fast(const AngleTable& table, const TableKind& kind) {
+  const AngleSpline<double> spline(table);
+  const double largest_value = std::abs(std::ranges::max(table.value, {}, [](double value) { return std::abs(value); }));
+  const double rate = kind.lists_rates ? largest_value : spline.largest_rate();
+  const double acceleration = kind.lists_rates ? spline.largest_rate() : spline.largest_acceleration();
+  if (rate <= kFastestTurn && acceleration <= kFastestTurn) return std::nullopt;
+  return fmt::format(
+      "up to here the spline reaches {} {} and {} {}; at most {:g} are allowed: are the times "
+      "in seconds and {}?",
+      told_apart(rate, kFastestTurn, 3).first, kind.rate_unit, told_apart(acceleration, kFastestTurn, 3).first,
+      kind.acceleration_unit, kFastestTurn, kind.in_units);
 }
 
 }  // namespace
 
-std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s, const TableKind& kind) {
+std::variant<std::vector<AngleTable>, TableFault> parse_tables(std::string_view text, double duration_s,
+                                                               const TableKind& kind) {
   const std::string_view header = input::take_line(text);
   if (header != kind.header)
     return TableFault{1,
                       fmt::format("is \"{}\"; must be the header \"{}\", and nothing else", shown_text(header), kind.header)};
-  AngleTable table;
+  std::vector<AngleTable> tables(static_cast<std::size_t>(std::ranges::count(kind.header, ',')));
   std::size_t line = 1;
   while (!text.empty()) {
     ++line;
-    if (auto wrong = read_row(input::take_line(text), kind, table)) return TableFault{line, *std::move(wrong)};
+    if (auto wrong = read_row(input::take_line(text), kind, tables)) return TableFault{line, *std::move(wrong)};
   }
+  const AngleTable& table = tables.front();
   if (table.t_s.size() < kFewestRows)
     return TableFault{line,
                       fmt::format("the table ends after {} rows; a spline needs at least {}", table.t_s.size(), kFewestRows)};
@@ -72,17 +96,15 @@ std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, do
     return TableFault{line, fmt::format("the table ends at {} s; it must reach the duration, {} s: add rows, or shorten "
                                         "/motion/duration_s",
                                         table.t_s.back(), duration_s)};
-  const AngleSpline<double> spline(table);
-  const double largest_value = std::abs(std::ranges::max(table.value, {}, [](double value) { return std::abs(value); }));
-  const double rate = kind.lists_rates ? largest_value : spline.largest_rate();
-  const double acceleration = kind.lists_rates ? spline.largest_rate() : spline.largest_acceleration();
-  if (!(rate <= kFastestTurn && acceleration <= kFastestTurn))
-    return TableFault{
-        line, fmt::format("up to here the spline reaches {} rad/s and {} rad/s^2; at most {:g} are allowed: are the times "
-                          "in seconds and {}?",
-                          told_apart(rate, kFastestTurn, 3).first, told_apart(acceleration, kFastestTurn, 3).first,
-                          kFastestTurn, kind.in_units)};
-  return table;
+  for (const AngleTable& one : tables)
+    if (auto wrong = too_fast(one, kind)) return TableFault{line, *std::move(wrong)};
+  return tables;
+}
+
+std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s, const TableKind& kind) {
+  auto parsed = parse_tables(text, duration_s, kind);
+  if (auto* fault = std::get_if<TableFault>(&parsed)) return std::move(*fault);
+  return std::move(std::get<std::vector<AngleTable>>(parsed).front());
 }
 
 }  // namespace earthtop::scenario

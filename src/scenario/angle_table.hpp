@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Reads tables of angles, or of rates, from CSV text.
+/// Reads tables of angles, of rates or of places from CSV text.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "earthtop/frames/angle_table.hpp"
 
@@ -18,18 +19,22 @@ struct TableFault {
 
 /// What a table lists.
 struct TableKind {
-  std::string_view header;    ///< its first line: the names of its two columns
-  std::string_view in_units;  ///< what its second column is, and in which unit
-  bool lists_rates;           ///< rates (rad/s), or else angles (rad)
-  std::string_view column() const { return header.substr(header.find(',') + 1); }
+  std::string_view header;    ///< its first line: the names of its columns, of which the first is the time
+  std::string_view in_units;  ///< what its other columns are, and in which unit
+  std::string_view rate_unit, acceleration_unit;
+  bool lists_rates;  ///< rates, or else what has them
 };
-inline constexpr TableKind kTableOfAngles{"t_s,angle_rad", "the angles in radians", false};
-inline constexpr TableKind kTableOfRates{"t_s,rate_rad_s", "the rates in rad/s", true};
+inline constexpr TableKind kTableOfAngles{"t_s,angle_rad", "the angles in radians", "rad/s", "rad/s^2", false};
+inline constexpr TableKind kTableOfRates{"t_s,rate_rad_s", "the rates in rad/s", "rad/s", "rad/s^2", true};
+inline constexpr TableKind kTableOfPlaces{"t_s,x_m,y_m,z_m", "the coordinates in metres", "m/s", "m/s^2", false};
 
-/// Reads a table from CSV text: its header line, then at least four lines of two finite numbers. The times must
+/// Reads a table from CSV text: its header line, then at least four lines of as many finite numbers. The times must
 /// be strictly ascending, start at or before 0 and end at or after the duration. Lines end with LF or CRLF; the last one may
 /// end with the text.
-/// @param duration_s  (s); if it is 0, the last time is not checked   @returns the table, or its first fault
+/// @param duration_s  (s); if it is 0, the last time is not checked   @returns a table for each column beside the times, or the first fault
+std::variant<std::vector<AngleTable>, TableFault> parse_tables(std::string_view text, double duration_s, const TableKind& kind);
+
+/// The same of a table with one column beside the times.
 std::variant<AngleTable, TableFault> parse_angle_table(std::string_view text, double duration_s,
                                                        const TableKind& kind = kTableOfAngles);
 

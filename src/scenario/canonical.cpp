@@ -23,6 +23,7 @@ nlohmann::json written_out(const Scenario& s) {
   });
   if (s.rotor) root.object("rotor", true, [&](auto& below) { rotor_keys(below, *s.rotor); });
   if (s.gimbals) root.object("gimbals", true, [&](auto& below) { gimbals_keys(below, *s.gimbals); });
+  root.list("moving_masses", s.moving_masses, [](auto& element, const auto& mass) { moving_mass_keys(element, mass); });
   root.object("release", true, [&](auto& below) {
     below.word("rates_relative_to", s.release.rates_relative_to, kRateFrames);
     if (s.release.gimbals) return gimbal_release_keys(below, *s.release.gimbals);

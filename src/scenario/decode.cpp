@@ -79,7 +79,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   const bool gravity = decode_site(root, scenario);
   const auto body =
       root.require("body") ? decode_body(root.section("body"), root.has("rotor") || root.has("gimbals")) : std::nullopt;
-  const ReleasedParts parts{root.has("rotor"), root.has("gimbals")};
+  const ReleasedParts parts{root.has("rotor") || root.has("moving_masses"), root.has("gimbals")};
   const auto release = root.require("release") ? decode_release(root.section("release"), parts) : std::nullopt;
   if (body) scenario.body = *body;
   if (release) scenario.release = *release;
@@ -87,10 +87,12 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   if (root.has("rotor")) scenario.rotor = decode_rotor(root, source, scenario.duration_s);
   if (root.has("gimbals")) scenario.gimbals = decode_gimbals(root);
   if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);
+  scenario.moving_masses = decode_masses(root, source, scenario.duration_s);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, scenario);
+  check_beside_masses(root, scenario);
   decode_numerics(root.section("numerics"), scenario);
   if (root.has("contact")) scenario.contact = decode_contact(root, scenario);
   decode_headline(root, scenario);

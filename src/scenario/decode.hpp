@@ -19,7 +19,8 @@ std::optional<BodySpec> decode_body(const Section& body, bool has_rotor);
 
 /// What of a scenario decides which keys its release has.
 struct ReleasedParts {
-  bool rotor = false, gimbals = false;
+  bool moves_inside = false;  ///< a rotor or masses: the body's rate may be left out
+  bool gimbals = false;
 };
 /// Decodes the release; empty if it is not complete.
 std::optional<ReleaseSpec> decode_release(const Section& release, const ReleasedParts& parts);
@@ -37,6 +38,11 @@ void decode_motion(const Section& motion, Scenario& scenario);
 /// cover (s)
 std::optional<RotorSpec> decode_rotor(const Section& root, const ScenarioSource& source, double duration_s);
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
+
+/// Decodes the masses that move in the body: those that are complete.
+std::vector<MovingMassSpec> decode_masses(const Section& root, const ScenarioSource& source, double duration_s);
+/// Checks that the effects, which must have been decoded, allow moving masses.
+void check_beside_masses(const Section& root, const Scenario& scenario);
 
 /// Checks that body and rotor together have moments about every axis.
 void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& rotor);

@@ -91,6 +91,10 @@ void check_beside(const Section& root, const Scenario& scenario) {
     root.refuse_key("rotor", fmt::format("is not available with /contact: a gyrostat on a table is not modelled; {}", kLeave));
   if (root.has("gimbals"))
     root.refuse_key("gimbals", fmt::format("is not available with /contact: gimbals need a fixed support; {}", kLeave));
+  if (root.has("moving_masses"))
+    root.refuse_key(
+        "moving_masses",
+        fmt::format("is not available with /contact: masses that move in a top on a table are not modelled; {}", kLeave));
   if (root.has("platform"))
     root.refuse_key("platform",
                     fmt::format("is not available with /contact: a table that turns or swings is not modelled; {}", kLeave));

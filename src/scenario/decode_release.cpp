@@ -49,8 +49,8 @@ bool decode_attitude(const Section& release, ReleaseSpec& spec) {
   return alone;
 }
 
-/// @param has_rotor  whether a rotor turns in the body, which may then be at rest
-bool decode_rates(const Section& release, bool has_rotor, ReleaseSpec& spec) {
+/// @param may_rest  whether a rotor turns in the body, which may then be at rest
+bool decode_rates(const Section& release, bool may_rest, ReleaseSpec& spec) {
   constexpr std::string_view kWhole = "angular_velocity_body_rad_s";
   const bool whole = release.has(kWhole), radians = release.has("spin_rad_s"), revolutions = release.has("spin_rpm");
   const std::string_view spin = revolutions && !radians ? "spin_rpm" : "spin_rad_s";
@@ -63,7 +63,7 @@ bool decode_rates(const Section& release, bool has_rotor, ReleaseSpec& spec) {
     return false;
   }
   const bool given = radians || revolutions || whole;
-  if (!given && !has_rotor) {
+  if (!given && !may_rest) {
     if (!release.expects("spin_rpm"))
       release.missing(
           "spin_rad_s",
@@ -111,7 +111,7 @@ std::optional<ReleaseSpec> decode_release(const Section& release, const Released
   const bool attitude = decode_attitude(release, spec);
   Reading codec(release);
   codec.word("rates_relative_to", spec.rates_relative_to, kRateFrames);
-  const bool rates = decode_rates(release, parts.rotor, spec);
+  const bool rates = decode_rates(release, parts.moves_inside, spec);
   if (!attitude || !codec.complete() || !rates) return std::nullopt;
   return spec;
 }

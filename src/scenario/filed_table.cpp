@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "input/file.hpp"
 #include "text/sha256.hpp"
@@ -31,23 +32,42 @@ std::optional<std::string> read_table(const Section& section, const ScenarioSour
   return std::nullopt;
 }
 
-}  // namespace
-
-void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
-                  FiledTable& table) {
+/// Reads the tables, one for each column after the times; refuses the file where they are not sound.
+std::vector<AngleTable> decode_columns(const Section& section, const ScenarioSource& source, double duration_s,
+                                       const TableKind& kind, FiledTable& table) {
   const auto file = section.word("file");
-  if (!file) return;
+  if (!file) return {};
   const auto text = read_table(section, source, *file);
-  if (!text) return;
+  if (!text) return {};
   table.file_sha256 = sha256_hex(*text);
   const auto sha256 = section.word("file_sha256");
   if (sha256 && *sha256 != table.file_sha256)
     section.refuse("file_sha256", fmt::format("is not that of {}, {}; use the file that was meant, or leave this key out",
                                               excerpt(*file, kLongestShownPath), table.file_sha256));
-  auto parsed = parse_angle_table(*text, duration_s, kind);
-  if (const auto* fault = std::get_if<TableFault>(&parsed))
-    return section.refuse("file", fmt::format("{}:{}: {}", excerpt(*file, kLongestShownPath), fault->line, fault->message));
-  table.rows = std::make_shared<const AngleTable>(std::get<AngleTable>(std::move(parsed)));
+  auto parsed = parse_tables(*text, duration_s, kind);
+  if (const auto* fault = std::get_if<TableFault>(&parsed)) {
+    section.refuse("file", fmt::format("{}:{}: {}", excerpt(*file, kLongestShownPath), fault->line, fault->message));
+    return {};
+  }
+  return std::get<std::vector<AngleTable>>(std::move(parsed));
+}
+
+}  // namespace
+
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
+                  FiledTable& table) {
+  std::vector<AngleTable> columns = decode_columns(section, source, duration_s, kind, table);
+  if (!columns.empty()) table.rows = std::make_shared<const AngleTable>(std::move(columns.front()));
+}
+
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s,
+                  std::array<FiledTable, 3>& coordinates) {
+  FiledTable& first = coordinates[0];
+  std::vector<AngleTable> columns = decode_columns(section, source, duration_s, kTableOfPlaces, first);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    coordinates[i].file = first.file, coordinates[i].file_sha256 = first.file_sha256;
+    coordinates[i].rows = std::make_shared<const AngleTable>(std::move(columns[i]));
+  }
 }
 
 }  // namespace earthtop::scenario

@@ -2,6 +2,8 @@
 /// Decodes a table that a scenario names by its file.
 #pragma once
 
+#include <array>
+
 #include "scenario/angle_table.hpp"
 #include "scenario/decode.hpp"
 
@@ -10,5 +12,9 @@ namespace earthtop::scenario {
 /// Reads the table that the keys `file` and `file_sha256` of a section name.   @param duration_s  which it must reach (s)
 void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
                   FiledTable& table);
+
+/// Reads the table of a path: one file with three coordinates, each of which becomes a table of its own.
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s,
+                  std::array<FiledTable, 3>& coordinates);
 
 }  // namespace earthtop::scenario

@@ -11,7 +11,8 @@ bool has_input(const Scenario& scenario, std::size_t input) {
     const auto& platform = scenario.platform;
     return platform && real::hypot(platform->pivot_offset_m[0], platform->pivot_offset_m[1], platform->pivot_offset_m[2]) > 0;
   }
-  if (row.kind == InputKind::tilt) return !scenario.effects.applied.gimbal;  // a gimbal holds the axis level
+  if (row.kind == InputKind::tilt)  // a level gimbal holds it, and others have angles of their own
+    return !scenario.effects.applied.gimbal && !scenario.gimbals;
   if (row.kind != InputKind::number) return true;
   Scenario copy = scenario;  // the rows lead to numbers that may be changed
   return row.number(copy) != nullptr;

@@ -205,6 +205,29 @@ void gimbal_release_keys(Codec& codec, S& release) {
   codec.key("inner_rate_rad_s", release.inner_rate_rad_s);
 }
 
+// -- moving masses
+
+/// The keys of a motion are written with that motion only.
+template <class Codec, class S>
+void moving_mass_keys(Codec& codec, S& mass) {
+  codec.key("mass_kg", mass.mass_kg);
+  codec.word("carrier", mass.carrier, kMassCarriers);
+  codec.word("motion", mass.motion, kMassMotionRules);
+  const auto of_motion = [&](std::string_view key, auto& member) {
+    if (!Codec::kWrites || input::lists(row_of(kMassMotionRules, mass.motion).allowed, key)) codec.key(key, member);
+  };
+  of_motion("center_m", mass.center_m);
+  of_motion("amplitude_m", mass.amplitude_m);
+  of_motion("start_m", mass.start_m);
+  of_motion("axis", mass.axis);
+  of_motion("frequency_hz", mass.frequency_hz);
+  of_motion("phase_deg", mass.phase_deg);
+  of_motion("times_s", mass.times_s);
+  of_motion("points_m", mass.points_m);
+  of_motion("file", mass.coordinates[0].file);
+  of_motion("file_sha256", mass.coordinates[0].file_sha256);  // represents the table in the run's identity
+}
+
 // -- contact
 
 /// Describes the contact. A law's coefficients are written with that law only; what is off, and a level table, is left out.

@@ -97,6 +97,9 @@ class Reading {
   std::optional<std::vector<double>> value_of(std::string_view key, const std::vector<double>&) {
     return section_.numbers(key);
   }
+  std::optional<std::vector<std::array<double, 3>>> value_of(std::string_view key, const std::vector<std::array<double, 3>>&) {
+    return section_.points(key);
+  }
   std::optional<std::vector<std::string>> value_of(std::string_view key, const std::vector<std::string>&) {
     return section_.changes(key);
   }

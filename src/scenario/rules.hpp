@@ -12,6 +12,7 @@
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
 #include "earthtop/model/contact_spec.hpp"
+#include "earthtop/model/moving_masses_spec.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
 #include "earthtop/model/rotor_spec.hpp"
@@ -118,6 +119,28 @@ inline constexpr std::array kDriveRules = {
     DriveRule{"harmonic", RotorDrive::harmonic, "amplitude_rad_s|frequency_hz",
               "spin_rad_s|spin_rpm|amplitude_rad_s|frequency_hz|phase_deg"},
     DriveRule{"table", RotorDrive::table, "file", "file|file_sha256"},
+};
+
+inline constexpr std::array kMassCarriers = {Word<MassCarrier>{"body", MassCarrier::body},
+                                             Word<MassCarrier>{"outer", MassCarrier::outer}};
+
+/// The keys that the motion of a mass must and may have.
+struct MassMotionRule {
+  std::string_view word;
+  MassMotion value;
+  std::string_view required, allowed;  ///< members of kMassMotionKeys, separated by '|'
+};
+
+inline constexpr std::string_view kMassMotionKeys =
+    "center_m|amplitude_m|start_m|axis|frequency_hz|phase_deg|times_s|points_m|file|file_sha256";
+inline constexpr std::array kMassMotionRules = {
+    MassMotionRule{"fixed", MassMotion::fixed, "center_m", "center_m"},
+    MassMotionRule{"harmonic", MassMotion::harmonic, "center_m|amplitude_m|frequency_hz",
+                   "center_m|amplitude_m|frequency_hz|phase_deg"},
+    MassMotionRule{"circle", MassMotion::circle, "center_m|start_m|axis|frequency_hz",
+                   "center_m|start_m|axis|frequency_hz|phase_deg"},
+    MassMotionRule{"waypoints", MassMotion::waypoints, "times_s|points_m", "times_s|points_m"},
+    MassMotionRule{"table", MassMotion::table, "file", "file|file_sha256"},
 };
 
 /// The coefficients that a law of friction must and may have.

@@ -18,6 +18,8 @@ std::vector<const FiledTable*> tables_of(const Scenario& scenario) {
   std::vector<const FiledTable*> tables;
   if (scenario.platform && scenario.platform->table.rows) tables.push_back(&scenario.platform->table);
   if (scenario.rotor && scenario.rotor->table.rows) tables.push_back(&scenario.rotor->table);
+  for (const MovingMassSpec& mass : scenario.moving_masses)
+    if (mass.coordinates[0].rows) tables.push_back(&mass.coordinates[0]);
   return tables;
 }
 

@@ -105,10 +105,11 @@ Json site_rule() {
   return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know})}};
 }
 
-/// Returns the rule that the release has one rate; with a rotor in the body it may have none.
+/// Returns the rule that the release has one rate; with a rotor or moving masses in the body it may have none.
 Json rate_rule() {
   constexpr std::string_view kOneRate = "spin_rad_s|spin_rpm|angular_velocity_body_rad_s";
-  const Json still = {{"properties", {{"release", none_of(kOneRate)}}}, {"required", {"rotor"}}};
+  const Json still = {{"properties", {{"release", none_of(kOneRate)}}},
+                      {"anyOf", Json::array({required("rotor"), required("moving_masses")})}};
   return {{"anyOf", Json::array({has("release", exactly_one(kOneRate)), still})}};
 }
 
@@ -198,6 +199,7 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/effects/tide") return Json::array({tide_rule()});
   if (pattern == "/platform") return platform_rules();
   if (pattern == "/rotor") return rotor_rules();
+  if (pattern == "/moving_masses/*") return rules_of_words("motion", kMassMotionRules, kMassMotionKeys);
   if (pattern == "/contact") return contact_rules();
   if (pattern == "/numerics") return Json::array({numerics_rule(), composition_rule(), precision_rule()});
   return Json::array();

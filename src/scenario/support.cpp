@@ -31,6 +31,16 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
          "effects are sized only for a rigid body; to see what an effect does with gimbals, run the scenario with and "
          "without it",
      .no_trend = "gimbals hold the body"},
+    {.kind = SupportKind::masses,
+     .pointer = "/moving_masses",
+     .carries = masses_move,
+     .has_rotor = true,
+     .may_damp = true,
+     .no_exact_motion = "is not available with masses that move in the body; take \"auto\", or leave the masses out",
+     .no_effect_sizes =
+         "effects are sized only for a rigid body; to see what an effect does with moving masses, run the scenario "
+         "with and without it",
+     .no_trend = "masses move in the body"},
     {.kind = SupportKind::rotor,
      .pointer = "/rotor",
      .carries = [](const Scenario& s) { return s.rotor && !is_caged_top(s); },
@@ -66,8 +76,10 @@ bool is_caged_top(const Scenario& s) {
   return !applied.friction() && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
 }
 
+bool masses_move(const Scenario& s) { return std::ranges::any_of(s.moving_masses, &MovingMassSpec::moves); }
+
 bool has_symmetric_cage(const Scenario& s) {
-  if (!s.rotor) return false;
+  if (!s.rotor || !s.moving_masses.empty()) return false;
   const RotorSpec& rotor = *s.rotor;
   if (!(rotor.axis[0] == 0 && rotor.axis[1] == 0 && rotor.axis[2] > 0 && rotor.center_m[0] == 0 && rotor.center_m[1] == 0))
     return false;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "earthtop/model/gimbal_equations.hpp"
+#include "scene/gimbal_rest.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
@@ -21,8 +22,7 @@ struct ReleasedGimbals {
   double torque;         ///< the largest of gravity (N m)
 
   explicit ReleasedGimbals(const Scene& scene)
-      : gimbals(make_gimbals<double>(*scene.scenario().gimbals, *scene.scenario().release.gimbals)),
-        momentum(norm(rotor_momentum(scene))) {
+      : gimbals(gimbals_of<double>(scene.scenario())), momentum(norm(rotor_momentum(scene))) {
     const Body<double>& body = scene.body<double>();
     const GimbalAngles<double>& at = gimbals.release;
     const GimbalPose<double, double> pose{gimbals, real::sin_cos(at.outer), real::sin_cos(at.inner)};
@@ -31,7 +31,8 @@ struct ReleasedGimbals {
     const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(body.I_BP_B, Eigen::EigenvaluesOnly);
     m11_most = gimbals.ring.I(2, 2) + moments.eigenvalues()[2];
     const double field = scene.site().gravity_m_s2 + scene.platform_demand().acceleration_m_s2;
-    torque = field * (norm(Vec3<double>(body.mass * body.p_PBcm_B)) + norm(gimbals.ring.mass_moment));
+    torque = field *
+             (norm(Vec3<double>(body.mass * body.p_PBcm_B)) + norm(gimbals.ring.mass_moment) + masses_pace(scene).moment_kg_m);
   }
   /// Whether the equations can be solved for the accelerations.
   bool is_solvable() const {
@@ -105,6 +106,8 @@ double SuspensionLaws::fastest_rate(const Scene& scene) const {
   // With one gimbal locked the rotor is a compass, or a gyroscope that feels the turning of its carrier.
   if (at.nutation() == 0) rate += std::sqrt(at.momentum * carried / least);
   if (scenario.rotor) rate += 2 * std::numbers::pi * std::abs(scenario.rotor->frequency_hz);
+  const MassesPace masses = masses_pace(scene);
+  rate += masses.rate_rad_s + masses.momentum_kg_m2_s / least;
   return std::max(rate, 1 / scenario.duration_s);
 }
 
@@ -119,6 +122,7 @@ Paced SuspensionLaws::paced(const Scene& scene) const {
   pace.judgement_looks = kJudgementLooks;
   pace.axis_rate_rad_s = rate;
   for (const FiledTable* table : tables_of(scenario)) pace.joints += static_cast<double>(table->rows->t_s.size());
+  pace.joints += masses_pace(scene).joints;
   pace.turning_rad = pace.watched_angle_rad = std::max(1.0, rate * time);
   const auto damp = [&](std::string_view pointer, double viscous, double coulomb, double regularisation, double moment) {
     const double steepest = viscous + (coulomb > 0 ? coulomb / regularisation : 0), damping = steepest / moment * time;
@@ -166,7 +170,27 @@ std::optional<std::string> SuspensionLaws::refuse(const MethodRow& row, const Sc
                      row.word);
 }
 
-void SuspensionLaws::add_figures(TopFigures& top, const Scene&, double) const {
+void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) const {
+  const Scenario& scenario = scene.scenario();
+  const GimbalInertia inertia = gimbal_inertia(scene);
+  TopFigures::OfGimbals& figures = top.gimbals.emplace();
+  figures.outer_moment_kg_m2 = inertia.outer, figures.inner_moment_kg_m2 = inertia.inner;
+  if ((top.nutation_rad_s = gimbal_nutation(scene))) top.nutation_kind = NutationKind::small_amplitude;
+  const double Omega = std::abs(scene.rotation_rate_rad_s()), h = std::abs(gimbal_rotor_momentum(scene));
+  if (const auto rest = gimbal_rest(scene, Prediction::rotating)) {
+    figures.slow_period_s = rest->slow_period_s, figures.fast_period_s = rest->fast_period_s;
+    figures.outer_rest_rad = rest->outer_rad, figures.inner_rest_rad = rest->inner_rad;
+  }
+  if (top.nutation_rad_s && h > 0 && Omega > 0) {
+    const double ring = scenario.gimbals->ring ? scenario.gimbals->ring->mass_kg : 0;
+    const double weight = (scene.body<double>().mass + ring) * scene.site().gravity_m_s2;
+    figures.earth_torque_N_m = h * Omega;
+    if (weight > 0) figures.earth_offset_m = h * Omega / weight;
+    const double cosine = std::abs(real::cos(scene.model<double>().gimbals.release.inner));
+    // X^2 = 2 M0^2 Omega / (h |cos b| (A3 + B3)), where it is small
+    const double square = 2 * inertia.outer * inertia.outer * Omega / (h * cosine * inertia.axial);
+    if (has_magnus_drift(scene) && square < 0.1) figures.earth_nutation_rad = std::sqrt(square);
+  }
   top.left_out.emplace_back("precession, nutation and critical spin of a rigid top: gimbals hold the body");
 }
 

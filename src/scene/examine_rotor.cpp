@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of a body in which a rotor turns, and its unit of time.
+// Checks of a body in which a rotor turns or masses move, and its unit of time.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "earthtop/scenario/support.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
@@ -14,12 +15,16 @@ void RotorLaws::check(const input::Section& root, const Scene& scene) const {
   const EffectsSpec& effects = scenario.effects;
   const input::Section given = root.section("effects");
   const auto refuse = [&](const char* key, bool is_given, const char* why) {
-    if (is_given) given.refuse_key(key, std::string("is not available with /rotor: ") + why + "; leave one of the two out");
+    if (is_given)
+      given.refuse_key(key,
+                       fmt::format("is not available with {}: {}; leave one of the two out", scene.support().pointer, why));
   };
   refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
   refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel");
   refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, "dry friction at the pivot of a gyrostat is not modelled");
-  constexpr const char* kWhole = "the torques of a rotor's own motion belong to all three";
+  const char* const kWhole = scene.support().kind == SupportKind::masses
+                                 ? "the torques of what moves in the body belong to all three"
+                                 : "the torques of a rotor's own motion belong to all three";
   refuse("coriolis", !effects.coriolis, kWhole);
   refuse("centrifugal", !effects.centrifugal, kWhole);
   refuse("transverse", !effects.transverse, kWhole);
@@ -33,6 +38,11 @@ void RotorLaws::fit_units(const Scene& scene, NaturalUnits& units) const {
 
 void RotorLaws::add_figures(TopFigures& top, const Scene&, double) const {
   top.left_out.emplace_back("precession, nutation and critical spin: a rotor turns in the body");
+}
+
+void MassLaws::add_figures(TopFigures& top, const Scene&, double) const {
+  top.left_out.emplace_back("precession, nutation and critical spin: masses move in the body");
+  top.notes.emplace_back("mass, centre of mass and moments are those at release, with the moving masses where they are then");
 }
 
 /// The equations of all three observers have series.
@@ -54,10 +64,14 @@ MethodChoice RotorLaws::choose_method(const Scene& scene) const {
 }
 
 /// The equations of a gyrostat are built for the methods of any precision only.
-std::optional<std::string> RotorLaws::refuse(const MethodRow& row, const Scene&) const {
+std::optional<std::string> RotorLaws::refuse(const MethodRow& row, const Scene& scene) const {
   const Method method = row.method;
   if (method == Method::automatic || method == Method::taylor || method == Method::extrapolation || method == Method::rkf78)
     return std::nullopt;
+  if (scene.support().kind == SupportKind::masses)
+    return fmt::format(
+        "\"{}\" is not built for a body with moving masses; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
+        row.word);
   return fmt::format("\"{}\" is not built for a body with a rotor; take \"auto\", \"taylor\", \"extrapolation\" or \"rkf78\"",
                      row.word);
 }

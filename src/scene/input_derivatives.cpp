@@ -26,7 +26,7 @@ Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128&
   const InputKind kind = kInputs[input].kind;
   change = float128(step);
   const bool is_body = kind == InputKind::inertia_ratio || kind == InputKind::center_of_mass;
-  if (is_body && !scene.scenario().rotor) {
+  if (is_body && !scene.scenario().rotor && scene.scenario().moving_masses.empty()) {
     Body<float128> body = scene.body<float128>();
     move_body(body, kind, change);
     const ReleaseSpec& release = scene.scenario().release;

@@ -28,7 +28,7 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene, bool also_with_rotor = false) {
   const std::string what = quoted(word) + ' ';
   if (const std::string_view reason = scene.support().no_exact_motion;
-      !reason.empty() && !(also_with_rotor && scene.support().has_rotor))
+      !reason.empty() && !(also_with_rotor && scene.support().kind == SupportKind::rotor))
     return what + std::string(reason);
   if (auto reason = need_all_torques(word, scene)) return reason;
   if (!scene.scenario().effects.plain())
@@ -48,6 +48,7 @@ std::optional<std::string> need_closed_form(std::string_view word, const Scene& 
              "both at the pivot, or gravity to 0";
     case ExactKind::braked_rotor:
       return "friction in the rotor's bearing leaves no closed form; take \"auto\", or leave the friction out";
+    case ExactKind::moving_masses: return quoted(word) + " " + std::string(scene.support().no_exact_motion);
     case ExactKind::changing_rotor:
       return "a motor that changes the rotor's rate leaves no closed form; take \"auto\", or the drive \"constant\" or "
              "\"none\"";
@@ -126,7 +127,8 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
 }
 
 ExactKind closed_form_of(const Scene& scene) {
-  const bool may_be_exact = scene.is_plain() || (scene.support().has_rotor && scene.scenario().effects.plain());
+  const bool may_be_exact =
+      scene.is_plain() || (scene.support().kind == SupportKind::rotor && scene.scenario().effects.plain());
   return may_be_exact ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
 }
 

@@ -36,7 +36,8 @@ double add(double& number, double step) {
 
 void set_body(Scenario& scenario, const Scene& scene, const Body<double>& body) {
   const bool has_axial = has_axial_moment(scene);
-  const Body<double> given = scenario.rotor ? without_rotor(body, *scenario.rotor, has_axial) : body;
+  const Body<double> alone = without_masses(body, scenario.moving_masses);
+  const Body<double> given = scenario.rotor ? without_rotor(alone, *scenario.rotor, has_axial) : alone;
   BodySpec spec;
   spec.mass_kg = given.mass;
   for (int i = 0; i < 3; ++i) {

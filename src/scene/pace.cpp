@@ -13,22 +13,87 @@
 namespace earthtop {
 namespace {
 
+double extent(const std::array<double, 3>& v) { return real::hypot(v[0], v[1], v[2]); }
+
+/// How far a mass is from the pivot at most, how fast it is, and the rate of its motion: of its turn or swing, or of the swing that a
+/// way between two points is half of.
+struct PathDemand {
+  double reach_m = 0, speed_m_s = 0, rate_rad_s = 0;
+};
+PathDemand demand_of(const MovingMassSpec& mass) {
+  PathDemand path;
+  const double turning = 2 * std::numbers::pi * std::abs(mass.frequency_hz);
+  switch (mass.motion) {
+    case MassMotion::fixed: return {extent(mass.center_m), 0, 0};
+    case MassMotion::harmonic:
+    case MassMotion::circle: {
+      const double arm = extent(mass.motion == MassMotion::circle ? mass.start_m : mass.amplitude_m);
+      return {extent(mass.center_m) + arm, turning * arm, turning};
+    }
+    case MassMotion::waypoints: {
+      constexpr double kFastest = 1.875;  // the slope of x^3 (10 - 15 x + 6 x^2) at x = 1/2
+      for (std::size_t i = 0; i < mass.points_m.size(); ++i) {
+        path.reach_m = std::max(path.reach_m, extent(mass.points_m[i]));
+        if (i == 0) continue;
+        const auto &a = mass.points_m[i - 1], &b = mass.points_m[i];
+        const double time = mass.times_s[i] - mass.times_s[i - 1];
+        path.speed_m_s = std::max(path.speed_m_s, kFastest * real::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) / time);
+        path.rate_rad_s = std::max(path.rate_rad_s, std::numbers::pi / time);
+      }
+      return path;
+    }
+    case MassMotion::table:
+      for (const FiledTable& table : mass.coordinates) {
+        const AngleSpline<double> way(*table.rows);
+        double reach = 0;
+        for (const double x : table.rows->value) reach = std::max(reach, std::abs(x));
+        const double speed = way.largest_rate();
+        path.reach_m = real::hypot(path.reach_m, reach), path.speed_m_s = real::hypot(path.speed_m_s, speed);
+        if (speed > 0) path.rate_rad_s = std::max(path.rate_rad_s, way.largest_acceleration() / speed);
+      }
+      return path;
+  }
+  return path;
+}
+
+/// What the masses that move in a body may add to it.
+struct MassesDemand : MassesPace {
+  Mat3<double> least_inertia_B;  ///< of the body without them
+
+  explicit MassesDemand(const Scene& scene) : least_inertia_B(scene.body<double>().I_BP_B) {
+    std::vector<MovingMassSpec> moving;
+    for (const MovingMassSpec& mass : scene.scenario().moving_masses) {
+      if (!mass.moves()) continue;
+      moving.push_back(mass);
+      const PathDemand path = demand_of(mass);
+      moment_kg_m += mass.mass_kg * path.reach_m;
+      momentum_kg_m2_s += mass.mass_kg * path.reach_m * path.speed_m_s;
+      rate_rad_s = std::max(rate_rad_s, path.rate_rad_s);
+      joints += static_cast<double>(mass.times_s.size());
+    }
+    if (!moving.empty()) least_inertia_B = without_masses(scene.body<double>(), moving).I_BP_B;
+  }
+};
+
 /// The numbers of the released body from which its rates are computed.
 struct Released {
   const Body<double>& body;
   const Release<double>& release;
-  Vec3<double> moments;  ///< principal moments, ascending (kg m^2)
+  Vec3<double> moments;  ///< principal moments without the moving masses, ascending (kg m^2)
   int axis;              ///< symmetry axis of the body, or -1
   Vec3<double> inside;   ///< momentum of a rotor (kg m^2/s)
   double momentum;
+  bool masses_move;
 
   explicit Released(const Scene& scene)
       : body(scene.body<double>()),
         release(scene.release<double>()),
-        moments(Eigen::SelfAdjointEigenSolver<Mat3<double>>(body.I_BP_B, Eigen::EigenvaluesOnly).eigenvalues()),
+        moments(Eigen::SelfAdjointEigenSolver<Mat3<double>>(MassesDemand(scene).least_inertia_B, Eigen::EigenvaluesOnly)
+                    .eigenvalues()),
         axis(scene.symmetry_axis()),
         inside(rotor_momentum(scene)),
-        momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B + inside))) {}
+        momentum(norm(Vec3<double>(body.I_BP_B * release.w_XB_B + inside)) + MassesDemand(scene).momentum_kg_m2_s),
+        masses_move(earthtop::masses_move(scene.scenario())) {}
 
   double least() const { return moments[0]; }
   double largest() const { return moments[2]; }
@@ -39,7 +104,7 @@ struct Released {
   double turning_rate() const {
     const Vec3<double>& w = release.w_XB_B;
     if (axis >= 0) return std::max(norm(w), momentum / swinging());
-    if (inside != Vec3<double>::Zero()) return norm(w) + momentum / least();
+    if (masses_move || inside != Vec3<double>::Zero()) return norm(w) + momentum / least();
     const double twice_energy = w.dot(Vec3<double>(body.I_BP_B * w));
     return std::min(momentum / least(), std::sqrt(twice_energy / least()));
   }
@@ -89,7 +154,7 @@ class FrictionPace {
       const double across = std::min(top.body.I_BP_B(0, 0), top.body.I_BP_B(1, 1));
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
     }
-    if (scene.support().has_rotor) bearing(*scene.scenario().rotor);
+    if (scene.support().has_rotor && scene.scenario().rotor) bearing(*scene.scenario().rotor);
     if (applied.quadratic_N_m_s2 > 0) quadratic(applied.quadratic_N_m_s2);
     if (applied.air_drag) disc(*applied.air_drag, scene.site(), std::abs(scene.rotation_rate_rad_s()));
     if (applied.coulomb_N_m > 0) dry(applied.coulomb_N_m);
@@ -238,6 +303,8 @@ PlatformDemand demand_of(const Scene& scene) {
   return {std::max(rate, omega), (turning * turning + alpha) * offset};
 }
 
+MassesPace masses_pace(const Scene& scene) { return MassesDemand(scene); }
+
 bool has_axial_moment(const Scene& scene) {
   const auto& rotor = scene.scenario().rotor;
   return rotor && (!scene.support().has_moving_parts() || rotor->drive != RotorDrive::none);
@@ -264,6 +331,35 @@ double PivotLaws::fastest_rate(const Scene& scene) const {
   const double rate = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B + rotor_momentum(scene))) / least_moment +
                       2 * std::sqrt(torque / least_moment) + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
   return std::max(rate, 1 / scene.scenario().duration_s);
+}
+
+double MassLaws::fastest_rate(const Scene& scene) const {
+  const MassesDemand masses(scene);
+  const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(masses.least_inertia_B, Eigen::EigenvaluesOnly);
+  const double least_moment = moments.eigenvalues()[0];
+  const PlatformDemand& platform = scene.platform_demand();
+  const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2) +
+                        masses.moment_kg_m * (std::abs(scene.site().gravity_m_s2) + platform.acceleration_m_s2);
+  const Vec3<double> momentum = scene.body<double>().I_BP_B * scene.release<double>().w_XB_B + rotor_momentum(scene);
+  const double rate = (norm(momentum) + masses.momentum_kg_m2_s) / least_moment + 2 * std::sqrt(torque / least_moment) +
+                      masses.rate_rad_s + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
+  return std::max(rate, 1 / scene.scenario().duration_s);
+}
+
+double MassLaws::evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const {
+  constexpr double kSums = 3e-7, kMass = 1.2e-7;  // of an order with one harmonic path, and with 64
+  const auto moving = std::ranges::count_if(scene.scenario().moving_masses, &MovingMassSpec::moves);
+  return RotorLaws::evaluation_seconds(scene, options) + kSums + kMass * static_cast<double>(moving);
+}
+
+Paced MassLaws::paced(const Scene& scene) const {
+  Paced paced = RotorLaws::paced(scene);
+  const MassesDemand masses(scene);
+  const double moved = masses.rate_rad_s * scene.scenario().duration_s;
+  Pace& pace = paced.pace;
+  pace.joints += masses.joints;
+  pace.turning_rad += moved, pace.reduced_turning_rad += moved;
+  return paced;
 }
 
 Paced PivotLaws::paced(const Scene& scene) const {

@@ -24,6 +24,11 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units = {});
 extern template Model<double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<long double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float128> model_of(const Scene&, const NaturalUnits&);
+/// The Cardan suspension of a scenario, which has one, in SI units.
+template <class T>
+Gimbals<T> gimbals_of(const Scenario& scenario) {
+  return make_gimbals<T>(*scenario.gimbals, *scenario.release.gimbals, scenario.moving_masses, scenario.rotor.has_value());
+}
 /// The model that the rows of a run belong to (SI): that of the scene, which for a rotor in a symmetric cage is the rigid top that moves
 /// as its axis does, and then that of cage and rotor.
 template <class T>
@@ -57,6 +62,12 @@ inline constexpr double kTrendLooksATurn = 7.3, kFewestTrendLooks = 560, kTrendT
 
 /// Whether the inertia of a scene's body has the rotor's axial moment: not where the rotor is a free one that is followed by itself.
 bool has_axial_moment(const Scene& scene);
+/// What masses on given paths add to the rates of a scene, at most: their moment (kg m), their momentum relative to what carries them
+/// (kg m^2/s), the rate of their motions (rad/s), and the number of times at which a path has a joint.
+struct MassesPace {
+  double moment_kg_m = 0, momentum_kg_m2_s = 0, rate_rad_s = 0, joints = 0;
+};
+MassesPace masses_pace(const Scene& scene);
 /// The momentum of a rotor in body axes, as large as its drive makes it (kg m^2/s); 0 without one.
 Vec3<double> rotor_momentum(const Scene& scene);
 // pace.cpp: the rates of a scene and how long they last, which decide how many steps its integrations take.

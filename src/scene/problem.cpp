@@ -49,8 +49,10 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
     model.tide = tide_series<T>(scene).scaled(units.time_exponent);
     model.kind = SceneKind::full;
   }
-  if (scene.support().has_moving_parts() && scenario.rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
-  if (scenario.gimbals) put_gimbals(model, make_gimbals<T>(*scenario.gimbals, *scenario.release.gimbals), units);
+  if (!scene.support().has_moving_parts()) return model;
+  if (scenario.rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
+  put_masses(model, scenario.moving_masses, units);
+  if (scenario.gimbals) put_gimbals(model, gimbals_of<T>(scenario), units);
   return model;
 }
 template Model<double> model_of(const Scene&, const NaturalUnits&);

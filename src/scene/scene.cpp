@@ -2,6 +2,7 @@
 #include "earthtop/scene/scene.hpp"
 
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "earthtop/model/gyrostat.hpp"
@@ -103,10 +104,9 @@ Scene Scene::without_rotation() const {
 template <class T>
 const Body<T>& Scene::body() const {
   return parts_->in<T>().body.get([this] {
-    const Body<T> body = make_body<T>(scenario().body);
-    const auto& rotor = scenario().rotor;
-    if (!rotor) return body;
-    return gyrostat_body(body, *rotor, has_axial_moment(*this));
+    Body<T> body = make_body<T>(scenario().body);
+    if (const auto& rotor = scenario().rotor) body = gyrostat_body(body, *rotor, has_axial_moment(*this));
+    return with_masses(body, scenario().moving_masses);
   });
 }
 template <class T>
@@ -153,7 +153,8 @@ const NaturalUnits& Scene::units() const {
 
 double Scene::gravity_torque_N_m(double pivot_acceleration_m_s2) const {
   const Body<double>& top = body<double>();
-  return top.mass * (site().gravity_m_s2 + pivot_acceleration_m_s2) * norm(top.p_PBcm_B);
+  // Gravity may be below 0 by the step of a difference quotient.
+  return top.mass * (std::abs(site().gravity_m_s2) + pivot_acceleration_m_s2) * norm(top.p_PBcm_B);
 }
 double Scene::axial_gravity_torque_N_m() const {
   const Body<double>& top = body<double>();

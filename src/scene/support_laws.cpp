@@ -25,8 +25,11 @@ Release<T> release_on_pivot(const Scene& scene) {
   const T gravity = T(scene.site().gravity_m_s2);
   if (is_caged_top(scenario)) return CagedTop<T>(scenario).release(gravity);
   const Precession precession = scenario.release.precession;
-  if (!scenario.rotor || precession == Precession::none || precession == Precession::given)
-    return make_release<T>(scenario.release, scene.body<T>(), gravity);
+  const bool is_steady = precession == Precession::steady_slow || precession == Precession::steady_fast;
+  if (is_steady && masses_move(scenario))
+    throw ScenarioError("/release/precession",
+                        "no steady precession: masses move in the body; give {\"rate_rad_s\": ...} or \"none\"");
+  if (!is_steady || !scenario.rotor) return make_release<T>(scenario.release, scene.body<T>(), gravity);
   if (!has_symmetric_cage(scenario))
     throw ScenarioError("/release/precession",
                         "no steady precession: with a rotor only one on axis 3 of a symmetric cage has it; give "
@@ -42,7 +45,7 @@ constexpr LawsIn<T> kPivot{release_on_pivot<T>, [](const Scene&, DriftProblem<T>
 template <class T>
 Release<T> release_in_gimbals(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
-  const Gimbals<T> gimbals = make_gimbals<T>(*scenario.gimbals, *scenario.release.gimbals);
+  const Gimbals<T> gimbals = gimbals_of<T>(scenario);
   const Platform<T> platform = scenario.platform ? make_platform<T>(*scenario.platform) : Platform<T>();
   const SinCos<T> half = real::sin_cos(T(platform.turn.angle(T(0)) / T(2)));
   const GimbalAngles<T>& angles = gimbals.release;
@@ -60,16 +63,17 @@ constexpr LawsIn<T> kSuspension{release_in_gimbals<T>, [](const Scene&, DriftPro
 
 constinit const TableLaws kTableLaws;
 constinit const SuspensionLaws kSuspensionLaws;
+constinit const MassLaws kMassLaws;
 constinit const RotorLaws kRotorLaws;
 constinit const PlatformLaws kPlatformLaws;
 constinit const GimbalLaws kGimbalLaws;
 constinit const PivotLaws kPivotLaws;
 
 /// Both in the order of SupportKind.
-constexpr auto kLaws =
-    std::to_array<const PivotLaws*>({&kTableLaws, &kSuspensionLaws, &kRotorLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
+constexpr auto kLaws = std::to_array<const PivotLaws*>(
+    {&kTableLaws, &kSuspensionLaws, &kMassLaws, &kRotorLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
 template <class T>
-constexpr std::array kLawsIn = {kTable<T>, kSuspension<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
+constexpr std::array kLawsIn = {kTable<T>, kSuspension<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
 static_assert(kLaws.size() == kSupportCount && kLawsIn<double>.size() == kSupportCount);
 
 }  // namespace

@@ -45,7 +45,7 @@ class PivotLaws {
   virtual std::string too_stiff(const Scene& scene, const std::string& work) const;
 };
 
-struct RotorLaws final : PivotLaws {
+struct RotorLaws : PivotLaws {
   void check(const input::Section& root, const Scene& scene) const override;
   void fit_units(const Scene& scene, NaturalUnits& units) const override;
   ModelForm form(const Scene&, const IntegrationOptions&) const override { return ModelForm::general; }
@@ -66,6 +66,14 @@ struct SuspensionLaws final : PivotLaws {
   void take_series_form(const Scene&, IntegrationOptions& series) const override { series.observer = Observer::inertial; }
   void add_figures(TopFigures& top, const Scene& scene, double cosine) const override;
   std::optional<std::string> refuse(const MethodRow& row, const Scene& scene) const override;
+};
+
+/// Masses that move in a body, with a rotor or without one.
+struct MassLaws final : RotorLaws {
+  double fastest_rate(const Scene& scene) const override;
+  Paced paced(const Scene& scene) const override;
+  void add_figures(TopFigures& top, const Scene&, double) const override;
+  double evaluation_seconds(const Scene& scene, const IntegrationOptions& options) const override;
 };
 
 struct PlatformLaws final : PivotLaws {

@@ -167,10 +167,13 @@ ReleaseSpec spec_without_steady(ReleaseSpec spec) {
 /// Adds the rotor. The other figures of a rotor in a symmetric cage are those of the rigid top that moves as its axis does.
 void add_rotor(TopFigures& top, const Scene& scene, const RotorSpec& spec) {
   const Rotor<double> rotor = make_rotor<double>(spec);
-  const Release<double> release = make_release<double>(spec_without_steady(scene.scenario().release), scene.body<double>(), 0);
+  const bool in_gimbals = scene.support().has_gimbals;
+  const Release<double> release =
+      in_gimbals ? scene.release<double>()
+                 : make_release<double>(spec_without_steady(scene.scenario().release), scene.body<double>(), 0);
   top.rotor_spin_rad_s = rotor.spin;
   top.rotor_momentum_kg_m2_s = rotor.axial * (rotor.spin + (rotor.driven ? 0 : rotor.axis_B.dot(release.w_XB_B)));
-  if (scene.support().has_rotor) {
+  if (scene.support().has_moving_parts()) {
     if (!rotor.driven) top.notes.emplace_back("the moments are those of body and rotor without the rotor's axial moment");
     return;
   }

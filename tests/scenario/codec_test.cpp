@@ -34,6 +34,14 @@ constexpr const char* kTurnsAsMeasured =
 constexpr const char* kRubbingRotor =
     R"({"mass_kg": 1, "axial_kg_m2": 1, "transverse_kg_m2": 1, "spin_rad_s": 1, "viscous_torque_N_m_s": 1, "coulomb_torque_N_m": 1,
     "regularisation_rad_s": 1})";
+constexpr const char* kFixedMass = R"([{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0.1]}])";
+constexpr const char* kSwingingMass =
+    R"([{"mass_kg": 1, "motion": "harmonic", "center_m": [0, 0, 0.1], "amplitude_m": [0.1, 0, 0], "frequency_hz": 1}])";
+constexpr const char* kCirclingMass =
+    R"([{"mass_kg": 1, "motion": "circle", "center_m": [0, 0, 0.1], "start_m": [0.1, 0, 0], "axis": [0, 0, 1], "frequency_hz": 1}])";
+constexpr const char* kMassOnWaypoints =
+    R"([{"mass_kg": 1, "motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0.1], [0.1, 0, 0]]}])";
+constexpr const char* kMassAsMeasured = R"([{"mass_kg": 1, "motion": "table", "file": "one_places.csv"}])";
 constexpr const char* kRolls = R"({"tip_radius_m": 0.002, "law": "frictionless", "spinning_friction_m": 1e-5,
     "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1})";
 
@@ -114,6 +122,19 @@ const std::map<std::string, Setting>& settings() {
         "0.5"}},
       {"/rotor/file", {{{"/rotor", kTurnsAsMeasured}}, "\"other_rates.csv\""}},
       {"/rotor/file_sha256", {{{"/rotor", kTurnsAsMeasured}}, "SHA256 OF ONE", {}, true}},
+      {"/moving_masses/*/mass_kg", {{{"/moving_masses", kFixedMass}}, "2"}},
+      {"/moving_masses/*/carrier", {{{"/moving_masses", kFixedMass}}, "\"body\"", {}, true}},
+      {"/moving_masses/*/motion", {{{"/moving_masses", kFixedMass}}, "", {{"/moving_masses", kSwingingMass}}}},
+      {"/moving_masses/*/center_m", {{{"/moving_masses", kFixedMass}}, "[0, 0.1, 0.1]"}},
+      {"/moving_masses/*/amplitude_m", {{{"/moving_masses", kSwingingMass}}, "[0.1, 0.1, 0]"}},
+      {"/moving_masses/*/frequency_hz", {{{"/moving_masses", kSwingingMass}}, "2"}},
+      {"/moving_masses/*/phase_deg", {{{"/moving_masses", kSwingingMass}}, "10"}},
+      {"/moving_masses/*/start_m", {{{"/moving_masses", kCirclingMass}}, "[0.1, 0.1, 0]"}},
+      {"/moving_masses/*/axis", {{{"/moving_masses", kCirclingMass}}, "[0, 0.1, 1]"}},
+      {"/moving_masses/*/times_s", {{{"/moving_masses", kMassOnWaypoints}}, "[0.5, 1]"}},
+      {"/moving_masses/*/points_m", {{{"/moving_masses", kMassOnWaypoints}}, "[[0, 0, 0.1], [0.1, 0.1, 0]]"}},
+      {"/moving_masses/*/file", {{{"/moving_masses", kMassAsMeasured}}, "\"other_places.csv\""}},
+      {"/moving_masses/*/file_sha256", {{{"/moving_masses", kMassAsMeasured}}, "SHA256 OF ONE", {}, true}},
       {"/platform", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}}},
       {"/platform/motion",
        {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}},
@@ -237,7 +258,9 @@ std::string made_up(const Field& field) {
       return "";
     case FieldKind::vector2: return "[0.1, 0.2]";
     case FieldKind::vector3: return "[0.1, 0.2, 0.3]";
-    case FieldKind::numbers: return "[0.25]";
+    case FieldKind::numbers:
+    case FieldKind::series: return "[0.25]";
+    case FieldKind::points: return "[[0.1, 0.2, 0.3]]";
     case FieldKind::changes: return "[\"/motion/duration_s=2\"]";
     default: return "";
   }
@@ -250,6 +273,9 @@ class Codec : public ::testing::Test {
       for (const auto& [name, header] : {std::pair(".csv", "t_s,angle_rad"), std::pair("_rates.csv", "t_s,rate_rad_s")})
         std::ofstream(temporary_.path() / (std::string(prefix) + name))
             << header << "\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
+    for (const auto& [prefix, last] : {std::pair("one", "0.3"), std::pair("other", "0.4")})
+      std::ofstream(temporary_.path() / (std::string(prefix) + "_places.csv"))
+          << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n20,0.1,0,0.1\n40,0.2,0,0.1\n60," << last << ",0,0.1\n";
   }
   Scenario decoded(const std::string& text, const Overrides& overrides = {}) const {
     return parse_scenario({(temporary_.path() / "minimal.json").string(), text}, overrides);

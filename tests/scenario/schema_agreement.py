@@ -28,6 +28,7 @@ SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release":
 
 
 ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
+PLACES = b"t_s,x_m,y_m,z_m\n0,0,0,0.03\n0.5,0.01,0,0.03\n1,0.02,0,0.03\n2,0.01,0,0.03\n"  # places.csv, too
 RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
@@ -117,6 +118,15 @@ WHOLE = [
           platform={"motion": "constant", "rate_rad_s": 1, "pivot_offset_m": [0.1, 0, 0]},
           uncertainty={"rotor_spin_rad_s": 1, "rotor_axial_kg_m2": 1e-7, "rotor_transverse_kg_m2": 1e-7}),
     scene(rotor={**ROTOR, "drive": "table", "file": "rates.csv", "file_sha256": hashlib.sha256(RATES).hexdigest()}),
+    scene(moving_masses=[{"mass_kg": 0.01, "carrier": "body", "motion": "fixed", "center_m": [0, 0, 0.03]},
+                         {"mass_kg": 0.01, "motion": "harmonic", "center_m": [0, 0, 0.03], "amplitude_m": [0.01, 0, 0],
+                          "frequency_hz": 1, "phase_deg": 30},
+                         {"mass_kg": 0.01, "motion": "circle", "center_m": [0, 0, 0.03], "start_m": [0.01, 0, 0],
+                          "axis": [0, 0, 1], "frequency_hz": -1, "phase_deg": 30}]),
+    scene(moving_masses=[{"mass_kg": 0.01, "motion": "waypoints", "times_s": [0.1, 0.5],
+                          "points_m": [[0, 0, 0.03], [0.01, 0, 0.03]]},
+                         {"mass_kg": 0.01, "motion": "table", "file": "places.csv",
+                          "file_sha256": hashlib.sha256(PLACES).hexdigest()}], release={"tilt_deg": 20}),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
     scene(effects={"gravity_gradient": True, "viscous_torque_N_m_s": 1e-7, "quadratic_torque_N_m_s2": 1e-9, "tide": False,
                    "air_drag": {"disc_radius_m": 0.05, "density_kg_m3": 1.2, "kinematic_viscosity_m2_s": 1.5e-5,
@@ -182,6 +192,19 @@ BEYOND_THE_SCHEMA = [
     ({"motion": {"duration_s": 1, "start_utc": "2026-02-30T00:00:00Z"}}, "an instant of UTC"),
     ({"platform": {"motion": "table", "file": "none.csv"}}, "there is no such file"),
     ({"rotor": {**ROTOR, "drive": "table", "file": "angles.csv"}}, "must be the header"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "table", "file": "angles.csv"}]}, "must be the header"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0]}] * 65}, "at most 64"),
+    ({"moving_masses": [{"mass_kg": 1, "carrier": "outer", "motion": "fixed", "center_m": [0, 0, 0]}]}, "no outer gimbal"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "circle", "center_m": [0, 0, 0], "start_m": [1, 0, 1], "axis": [0, 0, 1],
+                         "frequency_hz": 1}]}, "is not perpendicular to axis"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "circle", "center_m": [0, 0, 0], "start_m": [1, 0, 0], "axis": [0, 0, 0],
+                         "frequency_hz": 1}]}, "zero vector"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "waypoints", "times_s": [1, 1], "points_m": [[0, 0, 0], [1, 0, 0]]}]}, "must ascend"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "waypoints", "times_s": [1, 2], "points_m": [[0, 0, 0]]}]}, "one point for each time"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0]}], "effects": {"gimbal": True}},
+     "not available with /moving_masses"),
+    ({"moving_masses": [{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0]}], "contact": SLIDING},
+     "not available with /contact"),
     ({"platform": {"motion": "table", "file": "."}}, "is a directory"),
     ({"platform": {"motion": "table", "file": ""}}, "names no file"),
     ({"platform": {"motion": "table", "file": "angles.csv", "file_sha256": ""}}, "is not that of"),
@@ -293,6 +316,7 @@ def check(earthtop, texts):
         files = []
         pathlib.Path(directory, "angles.csv").write_bytes(ANGLES)
         pathlib.Path(directory, "rates.csv").write_bytes(RATES)
+        pathlib.Path(directory, "places.csv").write_bytes(PLACES)
         for index, text in enumerate(texts):
             path = pathlib.Path(directory, f"s{index}.json")
             path.write_text(text, encoding="utf-8")

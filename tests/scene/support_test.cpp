@@ -18,6 +18,10 @@ using testing::changed;
 void ask_for_table(Scenario& s) {
   s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
 }
+void ask_for_masses(Scenario& s) {
+  MovingMassSpec& mass = s.moving_masses.emplace_back();
+  mass.mass_kg = 0.001, mass.motion = MassMotion::circle, mass.start_m = {0.01, 0, 0}, mass.frequency_hz = 1;
+}
 void ask_for_rotor(Scenario& s) {
   RotorSpec& rotor = s.rotor.emplace();
   rotor.mass_kg = 0.01, rotor.axial_kg_m2 = 1e-6, rotor.transverse_kg_m2 = 1e-6, rotor.axis = {0, 1, 1};
@@ -31,6 +35,7 @@ struct Asked {
   void (*ask)(Scenario&);
 };
 constexpr Asked kAsked[] = {{SupportKind::table, "/contact", ask_for_table},
+                            {SupportKind::masses, "/moving_masses", ask_for_masses},
                             {SupportKind::rotor, "/rotor", ask_for_rotor},
                             {SupportKind::platform, "/platform", ask_for_platform},
                             {SupportKind::gimbal, "/effects/gimbal", ask_for_gimbal},
@@ -60,6 +65,11 @@ TEST(Support, OnlyAFixedPivotHasExactMotions) {
       case SupportKind::table:
         EXPECT_EQ(said, "\"long_horizon\" is not available for a top on a table; take \"auto\", or leave the contact out");
         break;
+      case SupportKind::masses:
+        EXPECT_EQ(
+            said,
+            "\"long_horizon\" is not available with masses that move in the body; take \"auto\", or leave the masses out");
+        break;
       case SupportKind::rotor:
         EXPECT_EQ(said, "\"long_horizon\" is not available with a rotor in the body; take \"auto\", or leave the rotor out");
         break;
@@ -83,9 +93,11 @@ TEST(Support, ItsChecksAreItsOwn) {
       "is not available with /contact: it is friction of a fixed pivot, a torque without a force; a tip's friction is "
       "/contact/law, "
       "spinning_friction_m and rolling_resistance_m; leave one of the two out",
+      "is not available with /moving_masses: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available with /rotor: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available on a platform; leave one of the two out",
-      "is not available with a gimbal; give the gimbal a damping instead", ""};
+      "is not available with a gimbal; give the gimbal a damping instead",
+      ""};
   for (const Asked& asked : kAsked) {
     Scenario scenario = testing::toy_top();
     asked.ask(scenario);
@@ -105,6 +117,14 @@ TEST(Support, WhatARotorHasNotIsSaid) {
   EXPECT_EQ(
       rotor.no_effect_sizes,
       "effects are sized only for a rigid body; to see what an effect does with a rotor, run the scenario with and without it");
+}
+
+TEST(Support, WhatMovingMassesHaveNotIsSaid) {
+  const Support& masses = changed(testing::toy_top(), ask_for_masses).support();
+  EXPECT_EQ(masses.no_trend, "masses move in the body");
+  EXPECT_EQ(masses.no_effect_sizes,
+            "effects are sized only for a rigid body; to see what an effect does with moving masses, run the scenario with and "
+            "without it");
 }
 
 TEST(Support, WhatATableHasNotIsSaid) {

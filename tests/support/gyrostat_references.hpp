@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Gyrostats whose motion and drift are known to 20 digits (tests/data/gyrostat/references.json), and how far an integration is from them.
+/// Gyrostats, and bodies in which masses move, whose motion and drift are known to 20 digits (tests/data/gyrostat/references.json), and how far an integration is from them.
 #pragma once
 
 #include <algorithm>
@@ -58,14 +58,13 @@ GyrostatErrors gyrostat_errors(const nlohmann::json& reference, const DriftTraje
         std::ranges::find_if(made.samples, [&](const auto& s) { return static_cast<double>(s.state.t_s) == t_s; });
     if (sample == made.samples.end()) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
     const DriftState<T>& state = sample->state;
-    const RotorState<T>& rotor = *sample->rotor;
     if (row.at("kind") == "D") {
       const std::vector<T> truth = truths(row);
       drift(sample->measures.axis, truth[0], largest[0]);
       drift(sample->measures.attitude, truth[1], largest[1]);
       if (!row.contains("rotor")) continue;
-      drift(state.epsilon * rotor.rate_difference_scaled, truth[2], largest[2]);
-      drift(state.epsilon * rotor.angle_difference_scaled, truth[3], largest[3]);
+      drift(state.epsilon * sample->rotor->rate_difference_scaled, truth[2], largest[2]);
+      drift(state.epsilon * sample->rotor->angle_difference_scaled, truth[3], largest[3]);
       continue;
     }
     const bool earth = row.at("kind") == "E";
@@ -74,6 +73,8 @@ GyrostatErrors gyrostat_errors(const nlohmann::json& reference, const DriftTraje
     const T sign = q.w * parsed<T>(truth.at(0).get<std::string>()) < T(0) ? T(-1) : T(1);
     motion(sign * q.w, truth.at(0), T(1));
     for (std::size_t i = 0; i < 3; ++i) motion(sign * q.v[static_cast<int>(i)], truth.at(i + 1), T(1));
+    if (!row.contains("rotor")) continue;
+    const RotorState<T>& rotor = *sample->rotor;
     motion(earth ? rotor.rate : rotor.ref_rate, row.at("rotor").at(0), T(real::abs(rotor.ref_rate)));
     motion(earth ? rotor.angle : rotor.ref_angle, row.at("rotor").at(1), T(real::abs(rotor.ref_angle)));
   }

@@ -90,6 +90,12 @@ std::string contact_explanation_text(const ContactExplanation& explained, const 
 
 std::string rotor_equations_text(const Scene& scene, std::size_t width) {
   const Scenario& scenario = scene.scenario();
+  if (masses_move(scenario))
+    return sentence(
+        "Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c - l); L: momentum of all parts; I and l: inertia "
+        "and momentum "
+        "in the body with the masses where they are; h c: momentum of a rotor",
+        width);
   if (!scenario.rotor) return "";
   if (!scene.support().has_rotor)
     return sentence(

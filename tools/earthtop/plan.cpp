@@ -102,7 +102,8 @@ Verb describe_plan() {
             [arguments] { return plan_verb(*arguments); });
   plan.add("SCENARIO", &a.scenario, "scenario file (JSON) of the planned top; - is standard input").json_file().required();
   plan.add("--measure", &a.quantities,
-           "what is measured: azimuth, tilt, axis, drift_azimuth or drift_tilt, with _rad, _deg or _arcsec; or "
+           "what is measured: azimuth, tilt, axis, drift_azimuth, drift_tilt, outer_angle or inner_angle, with _rad, _deg or "
+           "_arcsec; or "
            "rotor_rate with _rad_s or _rpm; may be repeated")
       .called("QUANTITY_UNIT")
       .required();

@@ -15,6 +15,7 @@ enum class ExactKind {
   heavy_gyrostat,   ///< no closed form: gravity acts on a body with a rotor
   braked_rotor,     ///< no closed form: friction in the rotor's bearing
   changing_rotor,   ///< no closed form: a motor changes the rotor's rate
+  moving_masses,    ///< no closed form: masses move in the body
   skew_rotor        ///< no closed form: the rotor's axis is no body axis, or has products of inertia
 };
 constexpr bool has_closed_form(ExactKind kind) {

@@ -11,6 +11,7 @@
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/drift/contact_state.hpp"
 #include "earthtop/drift/deviation.hpp"
+#include "earthtop/drift/gimbal_event.hpp"
 #include "earthtop/drift/gimbal_state.hpp"
 #include "earthtop/drift/rotor_state.hpp"
 #include "earthtop/drift/stop_event.hpp"
@@ -148,6 +149,7 @@ struct DriftTrajectory {
   std::optional<double> step_s;                 ///< step of a fixed-step method in the first output interval (s)
   std::vector<StopEvent> stops;                 ///< ascending in time
   std::vector<ContactEvent> contact_events;     ///< ascending in time
+  std::vector<GimbalEvent> gimbal_events;       ///< ascending in time
   std::optional<ThresholdRecord<T>> threshold;  ///< in seconds; none where no threshold is asked for
   std::optional<KickSteps> kick_steps;          ///< the steps that long_horizon found last
 };

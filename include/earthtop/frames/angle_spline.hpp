@@ -39,13 +39,9 @@ class AngleSpline {
   }
   /// The coefficients of the powers of (t' - t) of the angle, up to the cube, just after t. A t that is earlier than a joint only
   /// by rounding counts as the joint.
-  std::array<T, 4> cubic(T t) const {
-    const Piece& p = piece(t + T(64) * real::epsilon<T>() * (real::abs(t) + T(1)));
-    const T u = t - p.start;
-    return {p.angle + u * (p.rate + u * (p.half_acceleration + u * p.sixth_jerk)),
-            p.rate + u * (T(2) * p.half_acceleration + u * T(3) * p.sixth_jerk), p.half_acceleration + u * T(3) * p.sixth_jerk,
-            p.sixth_jerk};
-  }
+  std::array<T, 4> cubic(T t) const { return cubic_of(piece(t + T(64) * real::epsilon<T>() * (real::abs(t) + T(1))), t); }
+  /// The same of the piece that starts at t.
+  std::array<T, 4> cubic_from(T t) const { return cubic_of(piece(t), t); }
 
   /// The largest absolute values of rate and acceleration within the table.
   T largest_rate() const;
@@ -64,6 +60,12 @@ class AngleSpline {
     T start, angle, rate, half_acceleration, sixth_jerk;
     T before = T(0);  ///< the integral of the angle up to `start`
   };
+  static std::array<T, 4> cubic_of(const Piece& p, T t) {
+    const T u = t - p.start;
+    return {p.angle + u * (p.rate + u * (p.half_acceleration + u * p.sixth_jerk)),
+            p.rate + u * (T(2) * p.half_acceleration + u * T(3) * p.sixth_jerk), p.half_acceleration + u * T(3) * p.sixth_jerk,
+            p.sixth_jerk};
+  }
   const Piece& piece(T t) const {
     const auto later = [](T at, const Piece& p) { return at < p.start; };
     return *(std::upper_bound(pieces_.begin() + 1, pieces_.end(), t, later) - 1);

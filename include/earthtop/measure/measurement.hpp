@@ -27,7 +27,7 @@ namespace earthtop {
 /// North seen from above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, which are the motion on the
 /// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one. And the rate of a
 /// rotor relative to the body, as a tachometer in the frame reads it.
-enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt, rotor_rate };
+enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt, rotor_rate, outer_angle, inner_angle };
 std::string_view to_string(MeasuredQuantity quantity);
 
 struct MeasuredValue {
@@ -50,6 +50,7 @@ struct Measurement {
 ///   azimuth_rad, _deg or _arcsec                   with its standard error azimuth_se_rad, _deg or _arcsec
 ///   tilt_*, drift_azimuth_*, drift_tilt_*          likewise
 ///   rotor_rate_rad_s, _rpm                         likewise
+///   outer_angle_*, inner_angle_*                   likewise, of gimbals
 ///   axis_L_x, axis_L_y, axis_L_z                   unit vector, normalised here; with axis_se_*
 /// An empty cell was not measured; a measured value needs its standard error, above 0. Columns that begin with `_` are skipped.
 /// At most 200,000 rows.
@@ -138,6 +139,7 @@ struct CurvePoint {
   double tilt_rad = 0;
   double drift_azimuth_rad = 0, drift_tilt_rad = 0;  ///< NaN unless drifts were measured
   double rotor_rate_rad_s = 0;                       ///< NaN without a rotor
+  double outer_angle_rad = 0, inner_angle_rad = 0;   ///< NaN without gimbals
 };
 
 /// The wishes of the caller of a comparison.

@@ -9,6 +9,7 @@
 
 #include "earthtop/model/contact_invariants.hpp"
 #include "earthtop/model/contact_spec.hpp"
+#include "earthtop/model/gimbal_equations.hpp"
 #include "earthtop/model/invariants.hpp"
 
 namespace earthtop {
@@ -20,12 +21,15 @@ struct InstantOnPivot {
   Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
-  T rotor_rate = T(0);  ///< relative to the body
+  T rotor_rate = T(0);                  ///< relative to the body
+  GimbalAngles<T> gimbals = {};         ///< of a Cardan suspension
+  const MassSums<T>* masses = nullptr;  ///< that move in the body, of which the model has the place at this instant
+  T t = T(0);                           ///< of a suspension, whose model is that of the release
 
   /// The rotor's momentum about its axis: of a free rotor that of its inertial rate, of a driven one that of its rate in the body.
   T rotor_momentum() const {
     const Rotor<T>& rotor = model.rotor;
-    if (model.kind != SceneKind::gyrostat) return T(0);
+    if (model.kind != SceneKind::gyrostat && model.kind != SceneKind::suspension) return T(0);
     return rotor.axial * (rotor.driven ? rotor_rate : T(rotor.axis_B.dot(w_IB_B()) + rotor_rate));
   }
   Vec3<T> up_B() const { return rotation_matrix(q_LB).row(2).transpose(); }
@@ -55,13 +59,26 @@ struct InstantOnTable {
 
 /// What decides what a body on a pivot conserves.
 struct PivotConditions {
-  int symmetry_axis = -1;  ///< of a rigid body
-  bool alone = false;      ///< whether only gravity and the Earth's rotation act
+  int symmetry_axis = -1;                   ///< of a rigid body
+  bool alone = false;                       ///< whether only gravity and the Earth's rotation act
+  const GimbalsSpec* gimbals = nullptr;     ///< null without a Cardan suspension
+  bool outer_axis_without_gravity = false;  ///< of a suspension: whether gravity has no moment about its outer axis
   bool has_rotor = false;
+  bool masses_move = false;      ///< in the body, so that motors work
   bool rotor_is_steady = false;  ///< whether neither friction nor a changing drive takes or gives energy
   bool rotor_keeps_momentum = false;
 
-  bool conserves_energy() const { return alone && (!has_rotor || rotor_is_steady); }
+  bool conserves_energy() const { return alone && !masses_move && (!has_rotor || rotor_is_steady) && !bearings_brake(); }
+  bool bearings_brake() const {
+    const auto brakes = [](const BearingSpec& b) { return b.viscous_torque_N_m_s != 0 || b.coulomb_torque_N_m != 0; };
+    return gimbals != nullptr && (brakes(gimbals->outer) || brakes(gimbals->inner));
+  }
+  /// The bearing of the inner axis, the rotor's and the motors of masses act between parts that the outer axis carries.
+  bool conserves_outer_momentum() const {
+    if (gimbals == nullptr || !alone || !outer_axis_without_gravity) return false;
+    const BearingSpec& outer = gimbals->outer;
+    return !outer.locked && outer.viscous_torque_N_m_s == 0 && outer.coulomb_torque_N_m == 0 && outer.torsion_N_m_rad == 0;
+  }
 };
 
 /// Whether all of the Earth's torques act on a top on a table, and neither a tide nor the gradient of gravitation does; and what
@@ -87,9 +104,55 @@ struct TableConditions {
 
 namespace conserved {
 
+/// A suspension at one instant, as an inertial observer sees it; without a platform.
+template <class T>
+struct SeenSuspension {
+  GimbalPose<T, T> pose;
+  CarriedParts<T> parts;
+  GimbalMomenta<T> momenta;
+  GimbalMotion<T> motion;
+  Vec3<T> W_A, W_B;
+
+  explicit SeenSuspension(const InstantOnPivot<T>& i)
+      : pose{i.model.gimbals, real::sin_cos(i.gimbals.outer), real::sin_cos(i.gimbals.inner)},
+        parts(carried_parts(i.model, i.t)),
+        momenta(gimbal_momenta(i.model, parts, pose, i.gimbals.outer_rate, i.gimbals.inner_rate, i.rotor_rate, i.W_IL_L, i.t)),
+        motion(gimbal_motion(i.model, parts, pose, momenta, i.W_IL_L, i.t)),
+        W_A(pose.into_ring(i.W_IL_L)),
+        W_B(pose.into_body(W_A)) {}
+};
+/// w_A.L_A / 2 + w_B.L_B / 2, with the rotor as below, and the energy of gravity and of the springs, minus W.(L_A + L_B).
+template <class T>
+ConservedValue<T> jacobi_of_suspension(const InstantOnPivot<T>& i) {
+  const SeenSuspension<T> s(i);
+  const Model<T>& model = i.model;
+  const GimbalMotion<T>& m = s.motion;
+  const T h = s.momenta.rotor;
+  const T turning = (m.w_A.dot(m.L_A) + m.w_B.dot(times(model.I_BP_B, m.w_B))) / T(2);
+  const T spinning = model.rotor.driven ? T(0) : T(h * h / (T(2) * model.rotor.axial));
+  const Vec3<T> gravity_A = s.pose.into_ring(model.apparent_gravity_L);
+  const T of_gravity = model.gimbals.ring.mass_moment.dot(gravity_A) + model.mass_moment_B.dot(s.pose.into_body(gravity_A));
+  const auto spring = [](const Bearing<T>& b, const T& angle) -> T {
+    return b.torsion * (angle - b.rest) * (angle - b.rest) / T(2);
+  };
+  const T sprung = spring(model.gimbals.outer, i.gimbals.outer) + spring(model.gimbals.inner, i.gimbals.inner);
+  const T of_earth = s.W_A.dot(m.L_A) + s.W_B.dot(m.L_B);
+  return {turning + spinning - of_gravity + sprung - of_earth,
+          turning + spinning +
+              norm(model.apparent_gravity_L) * (norm(model.mass_moment_B) + norm(model.gimbals.ring.mass_moment)) + sprung +
+              real::abs(of_earth)};
+}
+/// The inertial momentum of all parts about the outer axis.
+template <class T>
+ConservedValue<T> outer_momentum(const InstantOnPivot<T>& i) {
+  const SeenSuspension<T> s(i);
+  return {s.momenta.outer, norm(s.motion.L_A) + norm(s.motion.L_B)};
+}
+
 /// With a rotor: h^2 / (2 C) of a free one, and -W.(h c) of any.
 template <class T>
 ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
+  if (i.model.kind == SceneKind::suspension) return jacobi_of_suspension(i);
   ConservedValue<T> J =
       jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
   const Rotor<T>& rotor = i.model.rotor;
@@ -140,7 +203,9 @@ ConservedValue<T> routh(const InstantOnTable<T>& i) {
 /// The angular momentum about Up: conserved without the Earth's rotation, and at a pole.
 template <class T>
 ConservedValue<T> vertical_momentum(const InstantOnPivot<T>& i) {
-  const Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  Vec3<T> L_B = i.model.I_BP_B * i.w_IB_B();
+  if (i.model.kind == SceneKind::gyrostat) L_B += i.rotor_momentum() * i.model.rotor.axis_B;
+  if (i.masses) L_B += i.masses->momentum;
   return {L_B.dot(i.up_B()), norm(L_B)};
 }
 
@@ -166,8 +231,9 @@ ConservedValue<T> goryachev_chaplygin(const InstantOnPivot<T>& i) {
 }  // namespace conserved
 
 /// The motion that conserves a quantity: that on the rotating Earth, the reference motion, or of these the one in which nothing
-/// distinguishes a horizontal direction (the first where the Earth's axis is vertical, else the second).
-enum class ConservingMotion { rotating, reference, about_up };
+/// distinguishes a direction across Up, or across the outer axis of a suspension (the first where the Earth's axis is parallel to it, else
+/// the second).
+enum class ConservingMotion { rotating, reference, about_up, about_outer_axis };
 
 /// One conserved quantity. A function is null where the quantity has no meaning.
 template <class T>
@@ -201,6 +267,8 @@ inline constexpr ConservedQuantity<T> kConserved[] = {
      [](const TableConditions& table) { return table.conserves_routh(); }},
     {"rotor_momentum", "kg m^2/s", 1, 1, ConservingMotion::rotating, conserved::rotor_momentum<T>,
      [](const PivotConditions& pivot) { return pivot.rotor_keeps_momentum; }},
+    {"outer_momentum", "kg m^2/s", 1, 1, ConservingMotion::about_outer_axis, conserved::outer_momentum<T>,
+     [](const PivotConditions& pivot) { return pivot.conserves_outer_momentum(); }},
     {"vertical_momentum", "kg m^2/s", 1, 1, ConservingMotion::about_up, conserved::vertical_momentum<T>},
     {"kovalevskaya", "1/s^4", 0, 4, ConservingMotion::about_up, conserved::kovalevskaya<T>},
     {"goryachev_chaplygin", "1/s^3", 0, 3, ConservingMotion::about_up, conserved::goryachev_chaplygin<T>},

@@ -9,7 +9,7 @@
 namespace earthtop {
 
 /// Sets `made` to the same coefficients over another scalar.
-/// @param from  a number, a vector or a matrix, a struct that lists its members, an array of these, or a function of time
+/// @param from  a number, a vector or a matrix, a struct that lists its members, an array or a vector of these, or a function of time
 /// @param to  gives a number, or a function of time, over the other scalar
 template <class From, class Made, class To>
 void convert(const From& from, Made& made, const To& to) {
@@ -21,6 +21,7 @@ void convert(const From& from, Made& made, const To& to) {
     for (int i = 0; i < from.rows(); ++i)
       for (int j = 0; j < from.cols(); ++j) made(i, j) = to(from(i, j));
   } else if constexpr (requires { from.begin(); }) {
+    if constexpr (requires { made.resize(from.size()); }) made.resize(from.size());
     for (std::size_t i = 0; i < from.size(); ++i) convert(from[i], made[i], to);
   } else {
     made = to(from);

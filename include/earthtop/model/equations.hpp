@@ -7,6 +7,9 @@
 /// | body axes            | q_LB     | w_IB in body axes                    | Theta dw/dt = (Theta w) x w + tau_phys     |
 /// | inertial axes        | q_NB     | L in axes N                          | dL/dt = tau_phys                           |
 ///
+/// With masses that move in the body (moving_masses.hpp) the second is Liouville's equation, Theta dw/dt + (dTheta/dt) w + dl/dt =
+/// (Theta w + l) x w + tau_phys. The model is that at the time of the state, so that all equations take Theta and the mass moment from there.
+///
 /// N is the inertial frame that is parallel to L at t = 0; [F] is cited in torques.hpp. Rotation matrices are always those of q
 /// / |q|.
 #pragma once
@@ -79,7 +82,10 @@ Motion<T> body_equation(const Model<T>& model, const Motion<T>& x, const Vec3<T>
                                        model.S_BP_B);
   }
   Vec3<T> L_B = times(model.I_BP_B, w_IB_B);
-  if constexpr (kTurnsInside<Inside>) L_B += inside.momentum_B, torque_B -= inside.momentum_rate_B;
+  if constexpr (kTurnsInside<Inside>) {
+    L_B += inside.momentum_B, torque_B -= inside.momentum_rate_B;
+    if (inside.masses) torque_B -= times(inside.masses->inertia_rate(), w_IB_B);
+  }
   return {attitude_rate_from_body(x.q, w_LB_B), times<T>(model.I_BP_B_inverse, L_B.cross(w_IB_B) + torque_B)};
 }
 

@@ -3,7 +3,7 @@
 ///
 /// The variables are the angles alpha and beta, and the momenta along the three free axes, each of rates in the observer's frame,
 ///   p_a = a.(L_A + L_B) ,  p_b = b.L_B ,  h = C (w_B.c + sigma)
-/// with L_A = Theta_A w_A ,  L_B = Theta w_B + h c (rotor.hpp) ,  w_A = U + alpha' a ,  w_B = w_A + beta' b, where U is the rate at
+/// with L_A = Theta_A w_A + l_A ,  L_B = Theta w_B + h c + l (rotor.hpp, moving_masses.hpp) ,  w_A = U + alpha' a ,  w_B = w_A + beta' b, where U is the rate at
 /// which the observer sees the carrier P turn. The first two are linear in alpha' and beta', so that the rates follow from the momenta.
 /// The balance of momentum of both parts, along the axes on which the bearings exert only Q_a and Q_b, gives
 ///   dp_a/dt = Q_a + a.(tau_A + tau_B) + (U x a).(L_A + L_B) ,  dp_b/dt = Q_b + b.tau_B + (w_A x b).L_B ,  dh/dt = Q_c + c.tau_R
@@ -98,6 +98,35 @@ struct GimbalPose {
   Vec3<S> outer_axis_B() const { return into_body(Vec3<S>(S(T(0)), S(T(0)), S(T(1)))); }
 };
 
+/// All that a gimbal carries at one time, in its axes: its tensors, and the momentum and the velocity moment (torques.hpp) of masses that
+/// move on it, relative to it.
+template <class T>
+struct CarriedPart {
+  Mat3<T> I, S;
+  Vec3<T> mass_moment;
+  Vec3<T> momentum;         ///< l
+  Mat3<T> velocity_moment;  ///< J
+};
+template <class T>
+struct CarriedParts {
+  CarriedPart<T> ring, body;
+};
+template <class T>
+CarriedPart<T> carried_part(const Mat3<T>& I, const Mat3<T>& second_moment, const Vec3<T>& mass_moment,
+                            const MovingMasses<T>& masses, const T& t) {
+  if (!masses.any()) return {I, second_moment, mass_moment, Vec3<T>::Zero(), Mat3<T>::Zero()};
+  const MassSums<T> now = masses.sums(t);
+  const Mat3<T> more = now.second_moment - masses.at_release.second_moment;
+  return {I + inertia_of(more), second_moment + more, mass_moment + (now.mass_moment - masses.at_release.mass_moment),
+          now.momentum, now.velocity_moment};
+}
+template <class T>
+CarriedParts<T> carried_parts(const Model<T>& model, const T& t) {
+  const Gimbals<T>& gimbals = model.gimbals;
+  return {carried_part(gimbals.ring.I, gimbals.ring.S, gimbals.ring.mass_moment, gimbals.masses, t),
+          carried_part(model.I_BP_B, model.S_BP_B, model.mass_moment_B, model.masses, t)};
+}
+
 template <class S>
 struct GimbalMomenta {
   S outer, inner, rotor;  ///< p_a, p_b, h
@@ -119,17 +148,18 @@ S rotor_momentum(const Rotor<T>& rotor, const S& h, const T& t) {
 
 /// @param turning_P  U
 template <class T, class S>
-GimbalMotion<S> gimbal_motion(const Model<T>& model, const GimbalPose<T, S>& pose, const GimbalMomenta<S>& p,
-                              const Vec3<S>& turning_P, const T& t) {
+GimbalMotion<S> gimbal_motion(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
+                              const GimbalMomenta<S>& p, const Vec3<S>& turning_P, const T& t) {
   const Gimbals<T>& gimbals = model.gimbals;
   const Rotor<T>& rotor = model.rotor;
-  const Mat3<T>&I_A = gimbals.ring.I, &I_B = model.I_BP_B;
+  const Mat3<T>&I_A = parts.ring.I, &I_B = parts.body.I;
   GimbalMotion<S> m;
   m.turning_A = pose.into_ring(turning_P), m.turning_B = pose.into_body(m.turning_A);
   m.axis_B = pose.outer_axis_B();
   const S inside = rotor_momentum(rotor, p.rotor, t);
-  const Vec3<S> inside_B = over_scalar<S>(rotor.axis_B) * inside;
-  const Vec3<S> carried_A = mixed_times(I_A, m.turning_A), carried_B = mixed_times(I_B, m.turning_B) + inside_B;
+  const Vec3<S> inside_B = over_scalar<S>(rotor.axis_B) * inside + over_scalar<S>(parts.body.momentum);
+  const Vec3<S> carried_A = mixed_times(I_A, m.turning_A) + over_scalar<S>(parts.ring.momentum),
+                carried_B = mixed_times(I_B, m.turning_B) + inside_B;
   const Vec3<S> I_a = mixed_times(I_B, m.axis_B);
   const S m11 = S(I_A(2, 2)) + inner(m.axis_B, I_a), m12 = I_a[1], m22 = S(I_B(1, 1));
   const S r1 = p.outer - carried_A[2] - inner(m.axis_B, carried_B), r2 = p.inner - carried_B[1];
@@ -152,15 +182,16 @@ GimbalMotion<S> gimbal_motion(const Model<T>& model, const GimbalPose<T, S>& pos
 
 /// The momenta that belong to rates, the inverse of gimbal_motion.
 template <class T, class S>
-GimbalMomenta<S> gimbal_momenta(const Model<T>& model, const GimbalPose<T, S>& pose, const S& outer_rate, const S& inner_rate,
-                                const S& rotor_rate, const Vec3<S>& turning_P, const T& t) {
+GimbalMomenta<S> gimbal_momenta(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
+                                const S& outer_rate, const S& inner_rate, const S& rotor_rate, const Vec3<S>& turning_P,
+                                const T& t) {
   const Rotor<T>& rotor = model.rotor;
   const Vec3<S> turning_A = pose.into_ring(turning_P), axis_B = pose.outer_axis_B(), c = over_scalar<S>(rotor.axis_B);
   const Vec3<S> w_A = turning_A + Vec3<S>(S(T(0)), S(T(0)), outer_rate);
   const Vec3<S> w_B = pose.into_body(w_A) + Vec3<S>(S(T(0)), inner_rate, S(T(0)));
   const S h = rotor_momentum(rotor, S(S(rotor.axial) * (inner(c, w_B) + rotor_rate)), t);
-  const Vec3<S> L_B = mixed_times(model.I_BP_B, w_B) + c * h;
-  return {S(mixed_times(model.gimbals.ring.I, w_A)[2] + inner(axis_B, L_B)), L_B[1], h};
+  const Vec3<S> L_B = mixed_times(parts.body.I, w_B) + c * h + over_scalar<S>(parts.body.momentum);
+  return {S(mixed_times(parts.ring.I, w_A)[2] + S(parts.ring.momentum[2]) + inner(axis_B, L_B)), L_B[1], h};
 }
 
 /// The torques on the parts of a suspension, each in the axes of its part, and on the rotor about its axis.
@@ -172,38 +203,42 @@ struct GimbalTorques {
 
 /// [F]'s Coriolis and centrifugal torques on the parts.   @param earth_P  W
 template <class T, class S>
-GimbalTorques<S> laboratory_torques(const Model<T>& model, const GimbalPose<T, S>& pose, const GimbalMotion<S>& m,
-                                    const Vec3<S>& earth_P) {
+GimbalTorques<S> laboratory_torques(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
+                                    const GimbalMotion<S>& m, const Vec3<S>& earth_P) {
   const Rotor<T>& rotor = model.rotor;
   const Vec3<S> W_A = pose.into_ring(earth_P), W_B = pose.into_body(W_A), c = over_scalar<S>(rotor.axis_B);
   const auto torque = [](const Vec3<S>& W, const Mat3<S>& J, const Mat3<S>& second_moment) -> Vec3<S> {
     return coriolis_torque(W, J) + centrifugal_torque(W, second_moment);
   };
-  const Mat3<S> S_A = over_scalar<S>(model.gimbals.ring.S), S_B = over_scalar<S>(model.S_BP_B), S_R = over_scalar<S>(rotor.S_B);
+  const Mat3<S> S_A = over_scalar<S>(parts.ring.S), S_B = over_scalar<S>(parts.body.S), S_R = over_scalar<S>(rotor.S_B);
   // The rotor turns in the body: r' = sigma c x rho (rotor.hpp).
   const Mat3<S> J_R = cross_matrix(Vec3<S>(c * (S(-rotor.axial / T(2)) * m.rotor_rate)));
-  return {torque(W_A, velocity_moment(S_A, m.w_A), S_A), torque(W_B, Mat3<S>(velocity_moment(S_B, m.w_B) + J_R), S_B),
+  const Mat3<S> J_A = over_scalar<S>(parts.ring.velocity_moment), J_B = over_scalar<S>(parts.body.velocity_moment);
+  return {torque(W_A, Mat3<S>(velocity_moment(S_A, m.w_A) + J_A), S_A),
+          torque(W_B, Mat3<S>(velocity_moment(S_B, m.w_B) + J_R + J_B), S_B),
           rotor.driven ? S(T(0)) : inner(c, torque(W_B, Mat3<S>(velocity_moment(S_R, m.w_B) + J_R), S_R))};
 }
 
 /// The torques of gravity and of its gradient on both parts, and of [F] where the laboratory observes. The gradient has no torque on
 /// the rotor about its axis of symmetry.
 template <bool kLaboratory, class T, class S>
-GimbalTorques<S> gimbal_torques(const Model<T>& model, const GimbalPose<T, S>& pose, const GimbalMotion<S>& m,
-                                const GimbalSurroundings<S>& around) {
-  const GimbalMoments<T>& ring = model.gimbals.ring;
+GimbalTorques<S> gimbal_torques(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
+                                const GimbalMotion<S>& m, const GimbalSurroundings<S>& around) {
+  const Rotor<T>& rotor = model.rotor;
+  Mat3<T> I_whole = parts.body.I;
+  if (!rotor.driven) I_whole += rotor.axial * (rotor.axis_B * rotor.axis_B.transpose());
   const Vec3<S> field_A = pose.into_ring(around.field);
-  GimbalTorques<S> tau{over_scalar<S>(ring.mass_moment).cross(field_A),
-                       over_scalar<S>(model.mass_moment_B).cross(pose.into_body(field_A)), S(T(0))};
+  GimbalTorques<S> tau{over_scalar<S>(parts.ring.mass_moment).cross(field_A),
+                       over_scalar<S>(parts.body.mass_moment).cross(pose.into_body(field_A)), S(T(0))};
   for (std::size_t i = 0; i < 2; ++i) {
     const GradientTerm<T>& term = model.applied.gradient[i];
     if (term.strength == T(0)) continue;
     const Vec3<S> u_A = pose.into_ring(around.gradient[i]);
-    tau.ring_A += gravity_gradient_torque(term, ring.I, u_A);
-    tau.body_B += gravity_gradient_torque(term, inertia_of_all(model), pose.into_body(u_A));
+    tau.ring_A += gravity_gradient_torque(term, parts.ring.I, u_A);
+    tau.body_B += gravity_gradient_torque(term, I_whole, pose.into_body(u_A));
   }
   if constexpr (kLaboratory) {
-    const GimbalTorques<S> laboratory = laboratory_torques(model, pose, m, around.earth);
+    const GimbalTorques<S> laboratory = laboratory_torques(model, parts, pose, m, around.earth);
     tau.ring_A += laboratory.ring_A, tau.body_B += laboratory.body_B, tau.rotor += laboratory.rotor;
   }
   return tau;
@@ -212,9 +247,10 @@ GimbalTorques<S> gimbal_torques(const Model<T>& model, const GimbalPose<T, S>& p
 /// The rates of change of the momenta.
 /// @tparam kLaboratory  whether the laboratory observes, else an inertial observer   @param outer, inner_angle  the angles
 template <bool kLaboratory, class T, class S>
-GimbalMomenta<S> momentum_rates(const Model<T>& model, const GimbalPose<T, S>& pose, const S& outer, const S& inner_angle,
-                                const GimbalMotion<S>& m, const GimbalSurroundings<S>& around) {
-  const GimbalTorques<S> tau = gimbal_torques<kLaboratory>(model, pose, m, around);
+GimbalMomenta<S> momentum_rates(const Model<T>& model, const CarriedParts<T>& parts, const GimbalPose<T, S>& pose,
+                                const S& outer, const S& inner_angle, const GimbalMotion<S>& m,
+                                const GimbalSurroundings<S>& around) {
+  const GimbalTorques<S> tau = gimbal_torques<kLaboratory>(model, parts, pose, m, around);
   const Vec3<S> b(S(T(0)), S(T(1)), S(T(0))), a(S(T(0)), S(T(0)), S(T(1)));
   const Vec3<S> ring_B = m.turning_B + m.axis_B * m.outer_rate;
   GimbalMomenta<S> rate;

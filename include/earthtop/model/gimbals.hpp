@@ -9,6 +9,7 @@
 
 #include "earthtop/members.hpp"
 #include "earthtop/model/gimbals_spec.hpp"
+#include "earthtop/model/moving_masses.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release_spec.hpp"
 
@@ -54,16 +55,18 @@ struct Gimbals {
   Mat3<T> R_P0 = Mat3<T>::Identity();  ///< the same
   T skew_cos = T(1), skew_sin = T(0);
   Quaternion<T> q_skew = {};  ///< the turn by the skew
-  GimbalMoments<T> ring;      ///< of the outer gimbal, in its axes A
+  GimbalMoments<T> ring;      ///< of the outer gimbal with the masses on it at t = 0, in its axes A
+  MovingMasses<T> masses;     ///< that move on it
   Bearing<T> outer, inner;
   GimbalAngles<T> release;  ///< the rates as given
   bool has_rotor = false;
-  EARTHTOP_MEMBERS(q_P0, R_P0, skew_cos, skew_sin, q_skew, ring, outer, inner, release, has_rotor)
+  EARTHTOP_MEMBERS(q_P0, R_P0, skew_cos, skew_sin, q_skew, ring, masses, outer, inner, release, has_rotor)
 };
 
-/// The suspension in SI units.
+/// The suspension in SI units.   @param masses  all that ride on either gimbal; those of the outer one are taken
 template <class T>
-Gimbals<T> make_gimbals(const GimbalsSpec& spec, const GimbalReleaseSpec& release);
+Gimbals<T> make_gimbals(const GimbalsSpec& spec, const GimbalReleaseSpec& release, const std::vector<MovingMassSpec>& masses,
+                        bool has_rotor);
 /// The same in a model's units.
 template <class T>
 Gimbals<T> in_units(Gimbals<T> gimbals, int mass_exponent, int time_exponent);
@@ -80,8 +83,9 @@ Quaternion<T> gimbal_attitude(const Gimbals<T>& gimbals, const T& outer, const T
   return gimbals.q_P0 * turn(2, outer) * gimbals.q_skew * turn(1, inner);
 }
 
-#define EARTHTOP_GIMBALS(T)                                                              \
-  extern template Gimbals<T> make_gimbals(const GimbalsSpec&, const GimbalReleaseSpec&); \
+#define EARTHTOP_GIMBALS(T)                                                                                                 \
+  extern template Gimbals<T> make_gimbals(const GimbalsSpec&, const GimbalReleaseSpec&, const std::vector<MovingMassSpec>&, \
+                                          bool);                                                                            \
   extern template Gimbals<T> in_units(Gimbals<T>, int, int);
 EARTHTOP_GIMBALS(double)
 EARTHTOP_GIMBALS(long double)

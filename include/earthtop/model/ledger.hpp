@@ -26,6 +26,8 @@ struct LedgerEntry {
   /// L' x u, the gyroscopic torque of the momentum L'.
   Vec3<T> tau_cor_inertia_A = Vec3<T>::Zero(), tau_cor_gyroscopic_A = Vec3<T>::Zero();
   Vec3<T> force_table_A = Vec3<T>::Zero();  ///< of a top on a table: the force of the table on the tip
+  /// Of a Cardan suspension: the torques of the support on the outer gimbal, and of that on the body (gimbal_ledger.hpp).
+  Vec3<T> bearing_outer_A = Vec3<T>::Zero(), bearing_inner_A = Vec3<T>::Zero();
 };
 
 /// The entry as a result stores it.

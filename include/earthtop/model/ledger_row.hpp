@@ -29,6 +29,8 @@ struct LedgerRow {
   std::array<std::array<T, 3>, kAppliedShares.size()> share_A = {};    ///< parts of tau_phys_A, in the order of kAppliedShares
   std::array<T, 3> tau_cor_inertia_A = {}, tau_cor_gyroscopic_A = {};  ///< the two parts of tau_cor_A
   std::array<T, 3> force_table_A = {};  ///< of a top on a table: the force of the table on the tip (N)
+  /// Of a Cardan suspension: the torques of the support on the outer gimbal, and of that on the body.
+  std::array<T, 3> bearing_outer_A = {}, bearing_inner_A = {};
 };
 
 /// A row from anything with the members of a row or of a LedgerEntry.
@@ -40,6 +42,7 @@ LedgerRow<T> ledger_row_from(const Entry& entry, Store stored) {
   for (std::size_t i = 0; i < entry.share_A.size(); ++i) row.share_A[i] = stored(entry.share_A[i]);
   row.tau_cor_inertia_A = stored(entry.tau_cor_inertia_A), row.tau_cor_gyroscopic_A = stored(entry.tau_cor_gyroscopic_A);
   row.force_table_A = stored(entry.force_table_A);
+  row.bearing_outer_A = stored(entry.bearing_outer_A), row.bearing_inner_A = stored(entry.bearing_inner_A);
   return row;
 }
 

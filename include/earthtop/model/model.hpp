@@ -3,11 +3,15 @@
 /// advance.
 #pragma once
 
+#include <memory>
+#include <type_traits>
+
 #include "earthtop/frames/tide.hpp"
 #include "earthtop/members.hpp"
 #include "earthtop/model/applied_torques.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/gimbals.hpp"
+#include "earthtop/model/moving_masses.hpp"
 #include "earthtop/model/platform.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/model/rotor.hpp"
@@ -17,7 +21,8 @@ namespace earthtop {
 
 /// The kinds of scenes, chosen once and compiled separately for speed. `plain`: all non-inertial torques act and the pivot is
 /// at rest in the laboratory. `full`: each torque has a weight, a platform may carry the pivot, and further torques may be
-/// applied. `gyrostat`: as `full`, and a rotor turns in the body. `suspension`: a Cardan suspension holds the body.
+/// applied. `gyrostat`: as `full`, and a rotor turns in the body, or masses move in it. Without a rotor it is a driven one without a
+/// moment, whose rate is 0. `suspension`: a Cardan suspension holds the body.
 enum class SceneKind { plain, full, gyrostat, suspension };
 
 /// The weight of each of the torques of [F] (torques.hpp): 1, or 0 if the scene leaves it out.
@@ -36,6 +41,7 @@ struct TorqueWeights {
 /// time): deviations divided by epsilon keep an ordinary magnitude for every Earth rate down to 1e-300 rad/s.
 template <class T>
 struct Model {
+  /// The first four are those at release, and change where masses move (ModelInTime).
   Mat3<T> I_BP_B;          ///< inertia about the pivot; without the axial moment of a rotor that is not driven (rotor.hpp)
   Mat3<T> I_BP_B_inverse;  ///< its inverse
   Mat3<T> S_BP_B;          ///< second moment about the pivot
@@ -49,11 +55,69 @@ struct Model {
   AppliedTorques<T> applied;
   TideSeries<T> tide;  ///< tide of the Moon and the Sun, added to apparent gravity
   Rotor<T> rotor;
+  MovingMasses<T> masses;  ///< that move in the body
   Gimbals<T> gimbals;
   SceneKind kind = SceneKind::plain;
   EARTHTOP_MEMBERS(I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, epsilon, W_IL_L_scaled, W_IL_L, weights,
-                   platform, applied, tide, rotor, gimbals, kind)
+                   platform, applied, tide, rotor, masses, gimbals, kind)
 };
+
+/// A model whose tensors of the body are those at a time, where masses move in it. It keeps the last time that it was asked for, so that a
+/// copy belongs to one thread.
+template <class T>
+class ModelInTime {
+ public:
+  /// @param model  must live as long
+  explicit ModelInTime(const Model<T>& model) : model_(model) {
+    if (model.masses.any()) now_ = std::make_shared<Now>(Now{model, model.masses.at_release, T(0), false});
+  }
+  const Model<T>& at(const T& t) const {
+    if (!now_) return model_;
+    move_to(t);
+    return now_->model;
+  }
+  /// The sums over the moving masses; null where there are none.
+  const MassSums<T>* masses_at(const T& t) const {
+    if (!now_) return nullptr;
+    move_to(t);
+    return &now_->sums;
+  }
+
+ private:
+  struct Now {
+    Model<T> model;
+    MassSums<T> sums;
+    T t;
+    bool is_set;
+  };
+  void move_to(const T& t) const {
+    Now& now = *now_;
+    if (now.is_set && now.t == t) return;
+    now.t = t, now.is_set = true;
+    now.sums = model_.masses.sums(t);
+    const MassSums<T>& release = model_.masses.at_release;
+    const Mat3<T> more = now.sums.second_moment - release.second_moment;
+    now.model.S_BP_B = model_.S_BP_B + more;
+    now.model.I_BP_B = model_.I_BP_B + inertia_of(more);
+    now.model.I_BP_B_inverse = inverse_by_cofactors(now.model.I_BP_B);
+    now.model.mass_moment_B = model_.mass_moment_B + (now.sums.mass_moment - release.mass_moment);
+  }
+
+  const Model<T>& model_;
+  std::shared_ptr<Now> now_;
+};
+/// A model of a body in which nothing moves.
+template <class T>
+class ModelAtRest {
+ public:
+  explicit ModelAtRest(const Model<T>& model) : model_(model) {}
+  const Model<T>& at(const T&) const { return model_; }
+
+ private:
+  const Model<T>& model_;
+};
+template <SceneKind K, class T>
+using ModelOfKind = std::conditional_t<K == SceneKind::gyrostat, ModelInTime<T>, ModelAtRest<T>>;
 
 /// Units of the model: masses in 2^mass_exponent kg, times in 2^time_exponent s. Powers of two change no digit. They bring all
 /// rates and moments near 1, so that one tolerance suits all components.

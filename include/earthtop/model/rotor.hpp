@@ -9,6 +9,9 @@
 /// where C is its axial moment, sigma its rate relative to the body and w the body's rate: relative to inertial space, or to the
 /// laboratory where the momentum is that of rates relative to the laboratory. The total momentum is I w + (momentum inside).
 ///
+/// Masses that move in the body (moving_masses.hpp) add their own momentum l to that inside the body, to its rate dl/dt + (dTheta/dt) w in
+/// the equation for w, and to the velocity moment their J. They are the same in both motions and for every observer.
+///
 /// In [F] (torques.hpp) the velocity moment of a rigid body vanishes for an observer who sits in it. That of a rotor does not: with
 /// r' = sigma c x rho its J is -(C sigma / 2) [c]x, whose Coriolis torque is -w x (C sigma c), the gyroscopic torque.
 #pragma once
@@ -17,6 +20,7 @@
 
 #include "earthtop/frames/prescribed_motion.hpp"
 #include "earthtop/members.hpp"
+#include "earthtop/model/moving_masses.hpp"
 #include "earthtop/model/paired.hpp"
 #include "earthtop/model/torques.hpp"
 
@@ -56,7 +60,7 @@ Mat3<T> spin_velocity_moment(const Rotor<T>& rotor, const T& sigma) {
   return cross_matrix(Vec3<T>((-rotor.axial * sigma / T(2)) * rotor.axis_B));
 }
 
-/// What turns inside the body in one motion: nothing, or a rotor.
+/// What turns or moves inside the body in one motion: nothing, or a rotor and masses.
 struct NothingInside {};
 template <class T>
 struct RotorInside {
@@ -65,18 +69,22 @@ struct RotorInside {
   Mat3<T> velocity_moment_B;  ///< relative to the body
   T spin;                     ///< sigma
   T torque;                   ///< of the bearing, Q_c; 0 for a driven rotor
+  const MassSums<T>* masses;  ///< of what moves in the body; null if nothing does
 };
 /// @param h  momentum about the axis; not read for a driven rotor   @param w_B  the body's rate that belongs to it, a function of
-/// the momentum inside the body
+/// the momentum inside the body   @param masses  the sums over masses that move in the body at this time; null without any
 template <class T, class Rate>
-RotorInside<T> rotor_inside(const Rotor<T>& rotor, const T& h, const T& t, const Rate& w_B) {
+RotorInside<T> rotor_inside(const Rotor<T>& rotor, const T& h, const T& t, const MassSums<T>* masses, const Rate& w_B) {
   RotorInside<T> inside;
   inside.spin = rotor.driven ? rotor.driven_rate(t) : T(0);
+  inside.masses = masses;
   inside.momentum_B = (rotor.driven ? T(rotor.axial * inside.spin) : h) * rotor.axis_B;
+  if (masses) inside.momentum_B += masses->momentum;
   if (!rotor.driven) inside.spin = h / rotor.axial - rotor.axis_B.dot(w_B(inside.momentum_B));
   inside.torque = rotor.driven ? T(0) : bearing_torque(rotor, inside.spin);
   inside.momentum_rate_B = (rotor.driven ? T(rotor.axial * rotor.driven_acceleration(t)) : inside.torque) * rotor.axis_B;
   inside.velocity_moment_B = spin_velocity_moment(rotor, inside.spin);
+  if (masses) inside.momentum_rate_B += masses->momentum_rate, inside.velocity_moment_B += masses->velocity_moment;
   return inside;
 }
 /// The same in both motions.
@@ -91,23 +99,24 @@ struct RotorInsideBoth {
 /// @param h  momentum about the axis in both   @param w_B, Dw_B  functions: the reference's rate from the momentum inside the body, and
 /// the difference of the rates over epsilon from that of the momenta
 template <class T, class Rate, class Difference>
-RotorInsideBoth<T> rotor_inside_both(const Rotor<T>& rotor, const Paired<T>& h, const T& epsilon, const T& t, const Rate& w_B,
-                                     const Difference& Dw_B) {
+RotorInsideBoth<T> rotor_inside_both(const Rotor<T>& rotor, const Paired<T>& h, const T& epsilon, const T& t,
+                                     const MassSums<T>* masses, const Rate& w_B, const Difference& Dw_B) {
   RotorInsideBoth<T> both;
-  both.reference = rotor_inside(rotor, h.ref, t, w_B);
+  both.reference = rotor_inside(rotor, h.ref, t, masses, w_B);
   both.difference_B_scaled = (rotor.driven ? T(0) : h.diff) * rotor.axis_B;
   both.rotating_B = both.reference.momentum_B + epsilon * both.difference_B_scaled;
   const T difference = rotor.driven ? T(0) : T(h.diff / rotor.axial - rotor.axis_B.dot(Dw_B(both.difference_B_scaled)));
   both.spin = Paired<T>::apart(both.reference.spin, difference, epsilon);
   both.torque = rotor.driven ? Paired<T>(T(0)) : bearing_torque(rotor, both.spin);
   both.velocity_moment_B = spin_velocity_moment(rotor, both.spin.rot);
+  if (masses) both.velocity_moment_B += masses->velocity_moment;
   return both;
 }
 
 template <class Inside>
 inline constexpr bool kTurnsInside = !std::is_same_v<Inside, NothingInside>;
 
-/// A total momentum without that of what turns inside the body, which leaves I w.
+/// A total momentum without that of what turns or moves inside the body, which leaves I w.
 template <class T, class Inside>
 Vec3<T> without_inside(const Vec3<T>& momentum_B, const Inside& inside) {
   if constexpr (kTurnsInside<Inside>)
@@ -124,8 +133,8 @@ Vec3<T> without_difference(const Vec3<T>& difference_B_scaled, const Inside& ins
     return difference_B_scaled;
 }
 
-/// The velocity moment (torques.hpp) of body and rotor in axes A, from which R_AB turns to the body's.
-/// @param S_BP_A, w_AB_A  second moment of both, and the body's rate in the observing frame
+/// The velocity moment (torques.hpp) of all parts in axes A, from which R_AB turns to the body's.
+/// @param S_BP_A, w_AB_A  second moment of all, and the body's rate in the observing frame
 template <class T, class Inside>
 Mat3<T> velocity_moment(const Mat3<T>& S_BP_A, const Vec3<T>& w_AB_A, const Mat3<T>& R_AB, const Inside& inside) {
   if constexpr (kTurnsInside<Inside>)

@@ -46,6 +46,23 @@ inline double* on_platform(Scenario& s, double PlatformSpec::*member, bool moves
 inline bool moves(const Scenario& s, PlatformMotion motion) { return s.platform && s.platform->motion == motion; }
 inline bool rubs(const Scenario& s, ContactLaw law) { return s.contact && s.contact->law == law; }
 
+inline double* at_release(Scenario& s, double GimbalReleaseSpec::*member) {
+  return s.release.gimbals ? &((*s.release.gimbals).*member) : nullptr;
+}
+inline double* rate_at_release(Scenario& s, BearingSpec GimbalsSpec::*axis, double GimbalReleaseSpec::*member) {
+  return s.gimbals && !((*s.gimbals).*axis).locked ? at_release(s, member) : nullptr;
+}
+inline double* of_bearing(Scenario& s, BearingSpec GimbalsSpec::*axis, double BearingSpec::*member) {
+  return s.gimbals ? if_on(((*s.gimbals).*axis).*member) : nullptr;
+}
+/// The angle at rest of a torsion, which may be 0.
+inline double* rest_of(Scenario& s, BearingSpec GimbalsSpec::*axis) {
+  return of_bearing(s, axis, &BearingSpec::torsion_N_m_rad) != nullptr ? &((*s.gimbals).*axis).torsion_rest_deg : nullptr;
+}
+inline double* axial_of_ring(Scenario& s) {
+  return s.gimbals && s.gimbals->ring ? if_on(s.gimbals->ring->inertia_kg_m2[2][2]) : nullptr;
+}
+
 }  // namespace inputs
 
 inline constexpr std::array<InputRow, kInputCount> kInputs = {
@@ -56,10 +73,11 @@ inline constexpr std::array<InputRow, kInputCount> kInputs = {
     {"/uncertainty/spin_rad_s", "/release/spin_rad_s", "rad/s", 1e9, "standard error of the spin, the rate about body axis 3",
      InputKind::number,
      [](Scenario& s) {
+       if (s.release.gimbals) return static_cast<double*>(nullptr);
        auto& w = s.release.angular_velocity_body_rad_s;
        return w ? &(*w)[2] : &s.release.spin_rad_s;
      }},
-    {"/uncertainty/tilt_deg", "/release/tilt_deg", "deg", 180, "standard error of the tilt at release, without a gimbal",
+    {"/uncertainty/tilt_deg", "/release/tilt_deg", "deg", 180, "standard error of the tilt at release, without gimbals",
      InputKind::tilt, nullptr},
     {"/uncertainty/rotation_rate_rad_s", "/earth/rotation_rate_rad_s", "rad/s", 1e9, "standard error of the Earth's rate",
      InputKind::number, [](Scenario& s) { return &s.rotation_rate_rad_s; }},
@@ -153,6 +171,51 @@ inline constexpr std::array<InputRow, kInputCount> kInputs = {
     {"/uncertainty/rotor_coulomb_torque_N_m", "/rotor/coulomb_torque_N_m", "N m", 1e9,
      "standard error of rotor/coulomb_torque_N_m, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.rotor, &RotorSpec::coulomb_torque_N_m); }},
+    {"/uncertainty/outer_angle_deg", "/release/outer_angle_deg", "deg", 360,
+     "standard error of release/outer_angle_deg, with gimbals", InputKind::number,
+     [](Scenario& s) { return inputs::at_release(s, &GimbalReleaseSpec::outer_angle_deg); }},
+    {"/uncertainty/inner_angle_deg", "/release/inner_angle_deg", "deg", 360,
+     "standard error of release/inner_angle_deg, with gimbals", InputKind::number,
+     [](Scenario& s) { return inputs::at_release(s, &GimbalReleaseSpec::inner_angle_deg); }},
+    {"/uncertainty/outer_rate_rad_s", "/release/outer_rate_rad_s", "rad/s", 1e9,
+     "standard error of release/outer_rate_rad_s, with a gimbal that is not locked", InputKind::number,
+     [](Scenario& s) { return inputs::rate_at_release(s, &GimbalsSpec::outer, &GimbalReleaseSpec::outer_rate_rad_s); }},
+    {"/uncertainty/inner_rate_rad_s", "/release/inner_rate_rad_s", "rad/s", 1e9,
+     "standard error of release/inner_rate_rad_s, with a gimbal that is not locked", InputKind::number,
+     [](Scenario& s) { return inputs::rate_at_release(s, &GimbalsSpec::inner, &GimbalReleaseSpec::inner_rate_rad_s); }},
+    {"/uncertainty/outer_torsion_N_m_rad", "/gimbals/outer/torsion_N_m_rad", "N m/rad", 1e9,
+     "standard error of gimbals/outer/torsion_N_m_rad, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::outer, &BearingSpec::torsion_N_m_rad); }},
+    {"/uncertainty/inner_torsion_N_m_rad", "/gimbals/inner/torsion_N_m_rad", "N m/rad", 1e9,
+     "standard error of gimbals/inner/torsion_N_m_rad, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::inner, &BearingSpec::torsion_N_m_rad); }},
+    {"/uncertainty/outer_torsion_rest_deg", "/gimbals/outer/torsion_rest_deg", "deg", 360,
+     "standard error of gimbals/outer/torsion_rest_deg, with a torsion", InputKind::number,
+     [](Scenario& s) { return inputs::rest_of(s, &GimbalsSpec::outer); }},
+    {"/uncertainty/inner_torsion_rest_deg", "/gimbals/inner/torsion_rest_deg", "deg", 360,
+     "standard error of gimbals/inner/torsion_rest_deg, with a torsion", InputKind::number,
+     [](Scenario& s) { return inputs::rest_of(s, &GimbalsSpec::inner); }},
+    {"/uncertainty/outer_viscous_torque_N_m_s", "/gimbals/outer/viscous_torque_N_m_s", "N m s", 1e9,
+     "standard error of gimbals/outer/viscous_torque_N_m_s, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::outer, &BearingSpec::viscous_torque_N_m_s); }},
+    {"/uncertainty/inner_viscous_torque_N_m_s", "/gimbals/inner/viscous_torque_N_m_s", "N m s", 1e9,
+     "standard error of gimbals/inner/viscous_torque_N_m_s, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::inner, &BearingSpec::viscous_torque_N_m_s); }},
+    {"/uncertainty/outer_coulomb_torque_N_m", "/gimbals/outer/coulomb_torque_N_m", "N m", 1e9,
+     "standard error of gimbals/outer/coulomb_torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::outer, &BearingSpec::coulomb_torque_N_m); }},
+    {"/uncertainty/inner_coulomb_torque_N_m", "/gimbals/inner/coulomb_torque_N_m", "N m", 1e9,
+     "standard error of gimbals/inner/coulomb_torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_bearing(s, &GimbalsSpec::inner, &BearingSpec::coulomb_torque_N_m); }},
+    {"/uncertainty/axis_skew_deg", "/gimbals/inner/axis_skew_deg", "deg", 90,
+     "standard error of gimbals/inner/axis_skew_deg, with gimbals", InputKind::number,
+     [](Scenario& s) { return s.gimbals ? &s.gimbals->axis_skew_deg : nullptr; }},
+    {"/uncertainty/outer_axis_tilt_deg", "/gimbals/outer/axis_tilt_deg", "deg", 180,
+     "standard error of gimbals/outer/axis_tilt_deg, with gimbals", InputKind::number,
+     [](Scenario& s) { return s.gimbals ? &s.gimbals->axis_tilt_deg : nullptr; }},
+    {"/uncertainty/outer_axial_kg_m2", "", "kg m^2", 1e9,
+     "standard error of the moment of the outer gimbal about its axis, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::axial_of_ring(s); }},
 };
 static_assert(!kInputs.back().pointer.empty());
 

@@ -19,6 +19,7 @@
 #include "earthtop/model/contact_spec.hpp"
 #include "earthtop/model/gimbals_spec.hpp"
 #include "earthtop/model/ledger_row.hpp"
+#include "earthtop/model/moving_masses_spec.hpp"
 #include "earthtop/model/platform_spec.hpp"
 #include "earthtop/model/release_spec.hpp"
 #include "earthtop/model/rotor_spec.hpp"
@@ -52,7 +53,7 @@ struct HeadlineSpec {
 };
 
 /// The number of inputs with respect to which a drift is differentiated; inputs.hpp lists them.
-inline constexpr std::size_t kInputCount = 32;
+inline constexpr std::size_t kInputCount = 47;
 
 struct Scenario {
   // The special members are defined in one source file, to save compile time in the others.
@@ -75,9 +76,10 @@ struct Scenario {
   double rotation_rate_rad_s = kEarthRateWgs84;
   double excess_length_of_day_ms = 0;
   double gravity_anomaly_m_s2 = 0;
-  BodySpec body;                       ///< without the rotor
-  std::optional<RotorSpec> rotor;      ///< that turns in the body; none: a rigid body
-  std::optional<GimbalsSpec> gimbals;  ///< that hold the body, which is the inner one; none: a fixed pivot
+  BodySpec body;                              ///< without the rotor and the moving masses
+  std::optional<RotorSpec> rotor;             ///< that turns in the body; none: a rigid body
+  std::vector<MovingMassSpec> moving_masses;  ///< that the body or the outer gimbal carries, and does not contain
+  std::optional<GimbalsSpec> gimbals;         ///< that hold the body, which is the inner one; none: a fixed pivot
   ReleaseSpec release;
   double duration_s = 0;
   std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z
@@ -114,7 +116,7 @@ class OutputTimes {
 /// Returns all of them. @returns times (s), ascending, of shape (rows)   @throws as OutputTimes
 std::vector<double> output_times(double duration_s, double output_step_s);
 
-/// Returns the tables that a scenario has from files.
+/// Returns the tables that a scenario has from files, one for each file.
 std::vector<const FiledTable*> tables_of(const Scenario& scenario);
 
 /// A scenario file's text and where it came from ("<stdin>" for standard input).

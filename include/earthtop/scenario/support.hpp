@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What carries a top, and what turns in it: a fixed pivot, a platform, a level gimbal, a rotor, a Cardan suspension or a table. What is known of a support before
+/// What carries a top, and what moves in it: a fixed pivot, a platform, a level gimbal, a rotor, masses, a Cardan suspension or a table. What is known of a support before
 /// anything is computed is one row of a table; its equations, its checks and its reports are in sources of its own.
 #pragma once
 
@@ -12,9 +12,9 @@
 namespace earthtop {
 
 /// In the order of the table: a top is carried by the first support that its scenario asks for.
-enum class SupportKind : std::uint8_t { table, suspension, rotor, platform, gimbal, pivot };
+enum class SupportKind : std::uint8_t { table, suspension, masses, rotor, platform, gimbal, pivot };
 
-inline constexpr std::size_t kSupportCount = 6;
+inline constexpr std::size_t kSupportCount = 7;
 
 /// A support, by what the rest of the program asks of it. Where something is not available on it, a text says so and what to do
 /// instead; the text is empty where it is available.
@@ -26,9 +26,10 @@ struct Support {
   bool is_fixed_pivot = false;
   /// Whether the tip moves: rows, files and pages have its path, its slip and the force on it.
   bool has_contact = false;
-  bool has_rotor = false;    ///< whether the equations are those of a gyrostat; not for a caged top, which has a rotor, too
-  bool has_gimbals = false;  ///< whether a Cardan suspension holds the body, with a rotor in it or without
-  bool may_damp = false;     ///< whether it may brake the body itself, beside the friction among the effects
+  /// Whether the equations are those of a gyrostat, in which a rotor turns or masses move; not for a caged top, which has a rotor, too.
+  bool has_rotor = false;
+  bool has_gimbals = false;            ///< whether a Cardan suspension holds the body, with a rotor in it or without
+  bool may_damp = false;               ///< whether it may brake the body itself, beside the friction among the effects
   std::string_view no_exact_motion{};  ///< of a method, after its name
   std::string_view no_motion_alone{};  ///< of one motion without the deviation from the other
   std::string_view no_effect_sizes{};  ///< of the effect budget
@@ -38,7 +39,10 @@ struct Support {
   bool has_moving_parts() const { return has_rotor || has_gimbals; }
 };
 
-/// Whether a scenario's rotor turns about body axis 3 of a cage that is symmetric about it.
+/// Whether a mass moves in a scenario's body. Masses that are fixed to it only make it another rigid body.
+bool masses_move(const Scenario& scenario);
+
+/// Whether a scenario's rotor turns about body axis 3 of a cage that is symmetric about it and carries no masses.
 bool has_symmetric_cage(const Scenario& scenario);
 
 /// Whether a scenario's rotor turns about the symmetry axis of a symmetric cage on which nothing brakes its turn about that axis. Axis and

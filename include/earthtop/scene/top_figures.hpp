@@ -58,6 +58,17 @@ struct TopFigures {
   /// of a point of that circle relative to the circle's centre on axis 3, in whatever direction the rate points (m/s).
   std::optional<double> rim_speed_m_s;
 
+  /// Of a Cardan suspension, at the release and without the Earth's rotation.
+  struct OfGimbals {
+    double outer_moment_kg_m2 = 0, inner_moment_kg_m2 = 0;  ///< about both axes, without the rotor's axial moment
+    /// Periods of small swings about the place of rest on the rotating Earth, and this place (s, rad); none where there is none near.
+    std::optional<double> slow_period_s, fast_period_s, outer_rest_rad, inner_rest_rad;
+    /// What would turn the rotor's axis as fast as the Earth turns: a torque, an offset of the centre of all masses, and by its drift a
+    /// nutation (rad); none without a rotor, where a gimbal is locked, or where the theory does not hold.
+    std::optional<double> earth_torque_N_m, earth_offset_m, earth_nutation_rad;
+  };
+  std::optional<OfGimbals> gimbals = {};
+
   std::vector<std::string> left_out;  ///< what does not apply, and why, each a sentence without its full stop
   std::vector<std::string> notes;     ///< what holds of the figures that are given, in the same form
 };

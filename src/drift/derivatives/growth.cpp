@@ -13,6 +13,7 @@
 #include <iterator>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 #include "drift/derivatives/disturbed_motion.hpp"
 #include "drift/derivatives/growth_work.hpp"
@@ -240,6 +241,22 @@ class Departure {
   Vec3<double> up_B_, w_B_;
 };
 
+/// The times at which steps end: where the paths of masses have joints, and the end.
+class StepEnds {
+ public:
+  StepEnds(std::vector<double> joints, double end) : ends_(std::move(joints)) {
+    std::erase_if(ends_, [end](double joint) { return !(joint > 0 && joint < end); });
+    ends_.push_back(end);
+    std::ranges::sort(ends_);
+  }
+  double after(double t) const {
+    return *std::ranges::find_if(ends_, [t](double end) { return end > t; });
+  }
+
+ private:
+  std::vector<double> ends_;
+};
+
 /// @param problem  of the motion alone: with a model whose Earth stands still for the non-rotating prediction
 template <class Law, template <class> class Steps>
 GrowthReport follow(const MotionProblem<double>& problem, double duration_s, double tolerance, const Watch& watch) {
@@ -263,6 +280,9 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   Steps<System> steps(system, x, tolerance, std::min(end, 0.1 / rate), shortest);
   GrowthReport report;
   double t = 0, before = 0;
+  std::vector<double> joints = model.masses.joints();
+  std::ranges::copy(model.gimbals.masses.joints(), std::back_inserter(joints));
+  const StepEnds ends(std::move(joints), end);
   const WorkLimit limit = problem.pace.known() ? work_limit_for(growth_work(problem, duration_s, tolerance)) : WorkLimit();
   const std::int64_t most = std::min(kMostGrowthSteps, limit.steps);
   std::int64_t count = 0;
@@ -270,7 +290,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   for (; t < end && count < most; ++count) {
     if (watch.asks_to_stop()) return report;
     if (count % 64 == 0) watch.reach(t / end);
-    const Step step = steps.take(x, t, end, counters.evaluations);
+    const Step step = steps.take(x, t, ends.after(t), counters.evaluations);
     if (step == Step::failed) return report;
     if (step == Step::rejected) {
       ++counters.rejected;

@@ -28,6 +28,9 @@ struct ToJet {
   std::shared_ptr<const AngleSpline<Jet>> operator()(const std::shared_ptr<const AngleSpline<double>>&) const {
     return nullptr;
   }
+  std::shared_ptr<const PiecewisePath<Jet>> operator()(const std::shared_ptr<const PiecewisePath<double>>&) const {
+    return nullptr;
+  }
   TideSeries<Jet> operator()(const TideSeries<double>&) const { return {}; }
 };
 

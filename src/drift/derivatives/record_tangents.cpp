@@ -29,6 +29,10 @@ class ToParameter {
   std::shared_ptr<const AngleSpline<Recorded>> operator()(const std::shared_ptr<const AngleSpline<Jet>>&) const {
     return ToRecorded<double>()(beside_.model.platform.turn.table);
   }
+  /// Derivatives of motions with moving masses are found by differences.
+  std::shared_ptr<const PiecewisePath<Recorded>> operator()(const std::shared_ptr<const PiecewisePath<Jet>>&) const {
+    return nullptr;
+  }
   TideSeries<Recorded> operator()(const TideSeries<Jet>&) const {
     TideSeries<Recorded> tide(beside_.model.tide);
     for (std::size_t k = 0; k < beside_.inputs.size(); ++k) {

@@ -137,8 +137,9 @@ struct GimbalMotionEquations {
   void operator()(const std::array<T, kSize>& x, std::array<T, kSize>& dxdt, T t) const {
     const GimbalPose<T, T> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
     const GimbalSurroundings<T> around = of_rotating(gimbal_surroundings<false>(model, t));
-    const GimbalMotion<T> motion = gimbal_motion(model, pose, GimbalMomenta<T>{x[2], x[3], x[4]}, around.turning, t);
-    const GimbalMomenta<T> rate = momentum_rates<false>(model, pose, x[0], x[1], motion, around);
+    const CarriedParts<T> parts = carried_parts(model, t);
+    const GimbalMotion<T> motion = gimbal_motion(model, parts, pose, GimbalMomenta<T>{x[2], x[3], x[4]}, around.turning, t);
+    const GimbalMomenta<T> rate = momentum_rates<false>(model, parts, pose, x[0], x[1], motion, around);
     dxdt[0] = motion.outer_rate, dxdt[1] = motion.inner_rate;
     dxdt[2] = rate.outer, dxdt[3] = rate.inner, dxdt[4] = rate.rotor;
   }
@@ -206,7 +207,7 @@ class SpinlessMotion {
   Vec3<double> u_;
 };
 
-/// Attitude and rate are shown in the axes of the carrier, as if it stood still.
+/// Attitude and rate are shown in the axes of the carrier, as if it stood still and masses were where they were at release.
 class SuspensionMotion {
  public:
   struct Shape {
@@ -222,16 +223,16 @@ class SuspensionMotion {
     const GimbalAngles<double>& release = model.gimbals.release;
     const GimbalPose<double, double> pose{model.gimbals, real::sin_cos(release.outer), real::sin_cos(release.inner)};
     const Vec3<double> turning = of_rotating(gimbal_surroundings<false>(model, 0.0)).turning;
-    const GimbalMomenta<double> p =
-        gimbal_momenta(model, pose, release.outer_rate, release.inner_rate, model.rotor.spin, turning, 0.0);
+    const GimbalMomenta<double> p = gimbal_momenta(model, carried_parts(model, 0.0), pose, release.outer_rate,
+                                                   release.inner_rate, model.rotor.spin, turning, 0.0);
     return {release.outer, release.inner, p.outer, p.inner, p.rotor};
   }
   template <class S>
   Turning<S> turning(const std::array<S, Shape::kSize>& x) const {
     const Model<double>& model = equations_.model;
     const GimbalPose<double, S> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
-    const GimbalMotion<S> motion =
-        gimbal_motion(model, pose, GimbalMomenta<S>{x[2], x[3], x[4]}, over_scalar<S>(model.W_IL_L), 0.0);
+    const GimbalMotion<S> motion = gimbal_motion(model, carried_parts(model, 0.0), pose, GimbalMomenta<S>{x[2], x[3], x[4]},
+                                                 over_scalar<S>(model.W_IL_L), 0.0);
     Mat3<S> R_PB;
     for (int i = 0; i < 3; ++i)
       R_PB.row(i) = pose.into_body(pose.into_ring(over_scalar<S>(Vec3<double>(Vec3<double>::Unit(i))))).transpose();

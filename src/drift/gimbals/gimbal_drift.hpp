@@ -53,7 +53,8 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
         spin -= inner(over_scalar<P>(rotor.axis_B), change);
       }
     }
-    const GimbalMomenta<P> p = gimbal_momenta(model, pose, outer, inner_rate, spin, around.turning, T(0));
+    const GimbalMomenta<P> p =
+        gimbal_momenta(model, carried_parts(model, T(0)), pose, outer, inner_rate, spin, around.turning, T(0));
     equations_.put(p.outer, x, Shape::kMomenta);
     equations_.put(p.inner, x, Shape::kMomenta + 1);
     equations_.put(p.rotor, x, Shape::kMomenta + 2);

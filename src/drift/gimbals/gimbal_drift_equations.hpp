@@ -39,9 +39,10 @@ struct GimbalDriftEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const GimbalPose<T, P> pose = pose_of(x);
     const GimbalSurroundings<P> around = surroundings(t);
-    const GimbalMotion<P> m = gimbal_motion(model, pose, momenta(x), around.turning, t);
+    const CarriedParts<T> parts = carried_parts(model, t);
+    const GimbalMotion<P> m = gimbal_motion(model, parts, pose, momenta(x), around.turning, t);
     const GimbalMomenta<P> rate =
-        momentum_rates<O == Observer::laboratory>(model, pose, at(x, Shape::kOuter), at(x, Shape::kInner), m, around);
+        momentum_rates<O == Observer::laboratory>(model, parts, pose, at(x, Shape::kOuter), at(x, Shape::kInner), m, around);
     put(m.outer_rate, dxdt, Shape::kOuter), put(m.inner_rate, dxdt, Shape::kInner);
     put(rate.outer, dxdt, Shape::kMomenta), put(rate.inner, dxdt, Shape::kMomenta + 1),
         put(rate.rotor, dxdt, Shape::kMomenta + 2);
@@ -59,7 +60,7 @@ struct GimbalDriftEquations {
   }
   /// The motion of a state in the observer's frame.
   GimbalMotion<P> motion(const State& x, T t) const {
-    return gimbal_motion(model, pose_of(x), momenta(x), surroundings(t).turning, t);
+    return gimbal_motion(model, carried_parts(model, t), pose_of(x), momenta(x), surroundings(t).turning, t);
   }
   GimbalSurroundings<P> surroundings(const T& t) const { return gimbal_surroundings<O == Observer::laboratory>(model, t); }
   void put(const P& both, State& x, std::size_t i) const { x[i] = both.ref, x[Shape::kHalf + i] = both.diff; }

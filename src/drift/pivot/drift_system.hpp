@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The right-hand side of a drift integration, for any body. It works on one state vector:
 ///   [0,7) non-rotating reference   7 deviation w   [8,11) y   [11,14) p   [14,21) rotating motion, where it is integrated
-/// With a rotor in the body (rotor.hpp) the rotating motion is never integrated, and there are
+/// With a rotor or moving masses in the body (rotor.hpp) the rotating motion is never integrated, and there are
 ///   14 deviation of h   15 h of the reference   16 its rotor's angle minus that of a steady spin   17 deviation of the angle
 #pragma once
 
@@ -92,13 +92,14 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   using Shape = DriftShape<R, kGyrostat>;
   static constexpr std::size_t kSize = Shape::kSize;
   using State = std::array<T, kSize>;
-  explicit DriftSystem(const Model<T>& model) : model_(model) {}
+  explicit DriftSystem(const Model<T>& model) : model_(model), in_time_(model) {}
 
   EARTHTOP_INLINE_ALL void operator()(const State& x, State& dxdt, T t) const {
     using namespace drift_state;
+    const Model<T>& model = in_time_.at(t);
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
-    const PivotField<T> field = pivot_field<K>(model_, t);
+    const PivotField<T> field = pivot_field<K>(model, t);
     const auto inside = inside_both(x, t, reference, deviation);
     const auto inside_reference = of_reference(inside);
     Motion<T> reference_rate, rotating_rate;
@@ -106,24 +107,24 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     if constexpr (O == Observer::laboratory) {
       if constexpr (kIntegrated) {
         const Motion<T> rotating = load_motion(x, kRotating);
-        const Vec3<T> torque_L = non_inertial_torque<K>(model_, rotating);
-        rotating_rate = laboratory_equation(model_, rotating, field.rotating_L, torque_L);
+        const Vec3<T> torque_L = non_inertial_torque<K>(model, rotating);
+        rotating_rate = laboratory_equation(model, rotating, field.rotating_L, torque_L);
       }
       const Vec3<T> no_torque = Vec3<T>::Zero();
-      reference_rate = laboratory_equation(model_, reference, field.reference_L, no_torque, inside_reference);
-      deviation_rate = laboratory_deviation_equation<K>(model_, reference, deviation, field, inside);
+      reference_rate = laboratory_equation(model, reference, field.reference_L, no_torque, inside_reference);
+      deviation_rate = laboratory_deviation_equation<K>(model, reference, deviation, field, inside);
     } else if constexpr (O == Observer::body) {
-      if constexpr (kIntegrated) rotating_rate = body_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L);
-      reference_rate = body_equation<false, K>(model_, reference, field.reference_L, inside_reference);
-      deviation_rate = body_deviation_equation<K>(model_, reference, deviation, field, inside);
+      if constexpr (kIntegrated) rotating_rate = body_equation<true, K>(model, load_motion(x, kRotating), field.rotating_L);
+      reference_rate = body_equation<false, K>(model, reference, field.reference_L, inside_reference);
+      deviation_rate = body_deviation_equation<K>(model, reference, deviation, field, inside);
     } else {
-      const LaboratoryTurn<T> turn = laboratory_turn(model_, t);
-      const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model_.epsilon));
+      const LaboratoryTurn<T> turn = laboratory_turn(model, t);
+      const Mat3<T> R_NL = rotation_matrix(turn.quaternion(model.epsilon));
       const Mat3<T> unturned = Mat3<T>::Identity();
       if constexpr (kIntegrated)
-        rotating_rate = inertial_equation<true, K>(model_, load_motion(x, kRotating), field.rotating_L, R_NL);
-      reference_rate = inertial_equation<false, K>(model_, reference, field.reference_L, unturned, inside_reference);
-      deviation_rate = inertial_deviation_equation<K>(model_, reference, deviation, field, turn, inside);
+        rotating_rate = inertial_equation<true, K>(model, load_motion(x, kRotating), field.rotating_L, R_NL);
+      reference_rate = inertial_equation<false, K>(model, reference, field.reference_L, unturned, inside_reference);
+      deviation_rate = inertial_deviation_equation<K>(model, reference, deviation, field, turn, inside);
     }
     if constexpr (K != SceneKind::plain)
       if (model_.applied.any) add_applied_torques(x, t, reference_rate, deviation_rate, rotating_rate);
@@ -138,7 +139,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
       dxdt[kAngle] = inside.spin.ref - model_.rotor.spin;
       dxdt[kAngleDeviation] = inside.spin.diff;
       if constexpr (O == Observer::laboratory)
-        if (!model_.rotor.driven) dxdt[kMomentumDeviation] += laboratory_torque_on_rotor(reference, deviation, inside);
+        if (!model.rotor.driven) dxdt[kMomentumDeviation] += laboratory_torque_on_rotor(model, reference, deviation, inside);
     }
   }
 
@@ -177,6 +178,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
       x[drift_state::kMomentumDeviation] = rotor.driven ? T(0) : T(rotor.axial * rotor.axis_B.dot(Dw_B));
       reference_B += x[drift_state::kMomentum] * rotor.axis_B;
       deviation_B += x[drift_state::kMomentumDeviation] * rotor.axis_B;
+      if (model_.masses.any()) reference_B += model_.masses.at_release.momentum;
     }
     if constexpr (O == Observer::laboratory)
       store(R_LB * (model_.I_BP_B * w_LB_B), R_LB * reference_B, R_LB * deviation_B);
@@ -192,12 +194,13 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
+    const Model<T>& model = in_time_.at(t);
     const auto inside = inside_both(x, t, reference, deviation);
-    const Motion<T> rotating = rotating_motion(x, reference, deviation, inside);
+    const Motion<T> rotating = rotating_motion(model, x, reference, deviation, inside);
     const auto body_rate = [&](const Motion<T>& m) {
       Vec3<T> momentum_B = transposed_times(rotation_matrix(m.q), m.m);
       if constexpr (kGyrostat) momentum_B -= &m == &reference ? inside.reference.momentum_B : inside.rotating_B;
-      return times(model_.I_BP_B_inverse, momentum_B);
+      return times(model.I_BP_B_inverse, momentum_B);
     };
     const auto earth_rate = [&](const Quaternion<T>& q_LB) { return transposed_times(rotation_matrix(q_LB), model_.W_IL_L); };
     DriftState<T> s = deviation_state(x, t);
@@ -216,6 +219,8 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     return s;
   }
 
+  /// Whether a rotor turns in the body, and not only masses move in it.
+  bool has_rotor() const requires(kGyrostat) { return model_.rotor.axial > T(0); }
   /// The rotor in both motions, with rates in natural units.
   RotorState<T> rotor_state(const State& x, T t) const requires(kGyrostat) {
     const auto inside = inside_both(x, t, drift_state::load_motion(x, drift_state::kReference), drift_state::load_deviation(x));
@@ -290,19 +295,20 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   auto inside_both([[maybe_unused]] const State& x, [[maybe_unused]] T t, [[maybe_unused]] const Motion<T>& reference,
                    [[maybe_unused]] const Deviation<T>& deviation) const {
     if constexpr (kGyrostat) {
+      const Mat3<T>& I_inverse = in_time_.at(t).I_BP_B_inverse;
       const Mat3<T> R_ref = rotation_matrix(reference.q);
       const auto rate = [&](const Vec3<T>& momentum_B) -> Vec3<T> {
         if constexpr (O == Observer::body)
           return reference.m;
         else
-          return times<T>(model_.I_BP_B_inverse, transposed_times(R_ref, reference.m) - momentum_B);
+          return times<T>(I_inverse, transposed_times(R_ref, reference.m) - momentum_B);
       };
       const auto difference = [&](const Vec3<T>& momentum_B_scaled) -> Vec3<T> {
         const Vec3<T> p_B = O == Observer::body ? deviation.p : Vec3<T>(transposed_times(R_ref, deviation.p));
-        return times<T>(model_.I_BP_B_inverse, p_B - momentum_B_scaled);
+        return times<T>(I_inverse, p_B - momentum_B_scaled);
       };
       const auto h = Paired<T>::apart(x[drift_state::kMomentum], x[drift_state::kMomentumDeviation], model_.epsilon);
-      return rotor_inside_both(model_.rotor, h, model_.epsilon, t, rate, difference);
+      return rotor_inside_both(model_.rotor, h, model_.epsilon, t, in_time_.masses_at(t), rate, difference);
     } else {
       return NothingInside{};
     }
@@ -311,27 +317,26 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   static const RotorInside<T>& of_reference(const RotorInsideBoth<T>& both) { return both.reference; }
 
   /// The torques of [F] on the rotor alone about its axis, over epsilon. Its centre, which is carried with the body, gives none.
-  T laboratory_torque_on_rotor(const Motion<T>& reference, const Deviation<T>& deviation,
+  T laboratory_torque_on_rotor(const Model<T>& model, const Motion<T>& reference, const Deviation<T>& deviation,
                                const RotorInsideBoth<T>& inside) const {
     const Mat3<T> R_ref = rotation_matrix(reference.q);
-    const Vec3<T> W_B_scaled = earth_rate_in_body_scaled(model_, R_ref, deviation);
-    const Vec3<T> momentum_B = transposed_times(R_ref, Vec3<T>(reference.m + model_.epsilon * deviation.p));
-    const Vec3<T> w_LB_B = times<T>(model_.I_BP_B_inverse, momentum_B - inside.rotating_B);
-    const Mat3<T> J_B = velocity_moment_B(model_.rotor.S_B, w_LB_B, inside);
-    const Vec3<T> W_B = model_.epsilon * W_B_scaled;
-    return model_.rotor.axis_B.dot(laboratory_torque<K>(model_.weights, W_B, W_B_scaled, J_B, model_.rotor.S_B));
+    const Vec3<T> W_B_scaled = earth_rate_in_body_scaled(model, R_ref, deviation);
+    const Vec3<T> momentum_B = transposed_times(R_ref, Vec3<T>(reference.m + model.epsilon * deviation.p));
+    const Vec3<T> w_LB_B = times<T>(model.I_BP_B_inverse, momentum_B - inside.rotating_B);
+    const Mat3<T> J_B = velocity_moment(model.rotor.S_B, w_LB_B) + spin_velocity_moment(model.rotor, inside.spin.rot);
+    const Vec3<T> W_B = model.epsilon * W_B_scaled;
+    return model.rotor.axis_B.dot(laboratory_torque<K>(model.weights, W_B, W_B_scaled, J_B, model.rotor.S_B));
   }
 
   template <class Inside>
-  Motion<T> rotating_motion(const State& x, const Motion<T>& reference, const Deviation<T>& deviation,
+  Motion<T> rotating_motion(const Model<T>& model, const State& x, const Motion<T>& reference, const Deviation<T>& deviation,
                             const Inside& inside) const {
-    const T epsilon = model_.epsilon;
+    const T epsilon = model.epsilon;
     const Quaternion<T> e{deviation.w, epsilon * deviation.y};
     if constexpr (kIntegrated) {
       return drift_state::load_motion(x, drift_state::kRotating);
     } else if constexpr (O == Observer::body) {
-      return {reference.q * e,
-              reference.m + epsilon * times<T>(model_.I_BP_B_inverse, without_difference(deviation.p, inside))};
+      return {reference.q * e, reference.m + epsilon * times<T>(model.I_BP_B_inverse, without_difference(deviation.p, inside))};
     } else {
       return {e * reference.q, times(rotation_matrix(e), Vec3<T>(reference.m + epsilon * deviation.p))};
     }
@@ -340,26 +345,27 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   /// Adds the applied torques to the time derivatives of the three rate variables.
   [[gnu::noinline]] void add_applied_torques(const State& x, T t, Motion<T>& reference_rate, Deviation<T>& deviation_rate,
                                              Motion<T>& rotating_rate) const {
+    const Model<T>& model = in_time_.at(t);
     const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
     const Mat3<T> R_ref = rotation_matrix(reference.q);  // the same in L and in N, which is parallel to the reference's L
     const DriftState<T> s = shared_state(x, t);
     const Deviation<T> deviation = drift_state::load_deviation(x);
     const Vec3<T> p_B = O == Observer::body ? deviation.p : Vec3<T>(transposed_times(R_ref, deviation.p));
-    Vec3<T> Dw_IB_B_scaled = times<T>(model_.I_BP_B_inverse, without_difference(p_B, inside_both(x, t, reference, deviation)));
+    Vec3<T> Dw_IB_B_scaled = times<T>(model.I_BP_B_inverse, without_difference(p_B, inside_both(x, t, reference, deviation)));
     if constexpr (O == Observer::laboratory) Dw_IB_B_scaled += earth_rate_scaled(s);
-    const Vec3<Paired<T>> torques = applied_torques_B(model_, t, s.ref_q_LB, s.ref_w_LB_B, s.e_w, s.e_v_scaled, Dw_IB_B_scaled);
+    const Vec3<Paired<T>> torques = applied_torques_B(model, t, s.ref_q_LB, s.ref_w_LB_B, s.e_w, s.e_v_scaled, Dw_IB_B_scaled);
     const Vec3<T> on_reference = parts(torques, &Paired<T>::ref), difference = parts(torques, &Paired<T>::diff);
     if constexpr (O == Observer::body) {
-      reference_rate.m += times(model_.I_BP_B_inverse, on_reference);
+      reference_rate.m += times(model.I_BP_B_inverse, on_reference);
       deviation_rate.p += difference;
     } else {
       reference_rate.m += times(R_ref, on_reference);
       deviation_rate.p += times(R_ref, difference);
     }
     if constexpr (kIntegrated) {
-      const Vec3<T> on_rotating = applied_torque_B(model_, t, s.q_LB, s.w_LB_B, true);
+      const Vec3<T> on_rotating = applied_torque_B(model, t, s.q_LB, s.w_LB_B, true);
       const Mat3<T> R_rot = rotation_matrix(drift_state::load_motion(x, drift_state::kRotating).q);
-      rotating_rate.m += O == Observer::body ? times(model_.I_BP_B_inverse, on_rotating) : times(R_rot, on_rotating);
+      rotating_rate.m += O == Observer::body ? times(model.I_BP_B_inverse, on_rotating) : times(R_rot, on_rotating);
     }
   }
   /// The Earth's rate in the rotating body's axes, divided by epsilon.
@@ -398,6 +404,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   }
 
   const Model<T>& model_;
+  ModelOfKind<K, T> in_time_;
   RestingMotions<T> rest_;
 };
 

@@ -37,6 +37,18 @@ struct SearchOf<T, System> {
   using Type = FlowSearch<T, typename System::Flow>;
 };
 
+/// Stands for the watch of events of a system that has none; a system with events of its own names another one.
+struct NoEvents {
+  template <class System, class Units>
+  NoEvents(const System&, const Units&) {}
+  template <class T, class State>
+  void follow(const T&, const State&) {}
+};
+template <class T, class System>
+struct EventWatchOf {
+  using Type = NoEvents;
+};
+
 /// How often the two angles have gone round.
 template <class T>
 struct StepWatcherTurns {
@@ -50,7 +62,7 @@ class StepWatcher {
   using Search = typename SearchOf<T, System>::Type;
 
   StepWatcher(System& system, const DriftProblem<T>& problem)
-      : system_(system), units_(problem.units), sought_(problem.sought) {
+      : system_(system), units_(problem.units), sought_(problem.sought), events_(system, problem.units) {
     if constexpr (!std::is_same_v<Search, NoSearch>)
       if (problem.threshold_rad) search_.emplace(flow(system), T(*problem.threshold_rad), problem.fastest_rate);
   }
@@ -59,7 +71,9 @@ class StepWatcher {
     follow(x, t);
     if (sought_ == DriftSought::rows) follow_angles(system_.deviation_state(x, t));
     search(t, x);
+    events_.follow(t, x);
   }
+  const auto& events() const { return events_; }
 
   /// The sample for a state that operator() has seen. @param t  its time in natural units   @param t_s  the same time as given by
   /// the scenario (s)
@@ -156,6 +170,7 @@ class StepWatcher {
   DriftSought sought_;
   StepWatcherTurns<T> turns_;
   std::optional<Search> search_;
+  typename EventWatchOf<T, System>::Type events_;
 };
 
 }  // namespace earthtop

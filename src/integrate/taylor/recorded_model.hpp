@@ -10,6 +10,7 @@
 //
 #include "earthtop/frames/angle_spline.hpp"
 #include "earthtop/frames/tide.hpp"
+#include "earthtop/model/mass_path.hpp"
 
 namespace earthtop {
 
@@ -37,6 +38,26 @@ class AngleSpline<real::Recorded<T>> {
     return {*t.recording(), t.recording()->given(std::move(function), t.value())[0]};
   }
   std::shared_ptr<const AngleSpline<T>> table_;
+};
+
+/// The path of a mass: the coefficients are those of the polynomial at the time asked for. Steps have to end where pieces do.
+template <class T>
+class PiecewisePath<real::Recorded<T>> {
+ public:
+  using Scalar = real::Recorded<T>;
+  explicit PiecewisePath(std::shared_ptr<const PiecewisePath<T>> path) : path_(std::move(path)) {}
+
+  PointOnPath<Scalar> at(const Scalar& t) const { return {derivative(t, 0), derivative(t, 1), derivative(t, 2)}; }
+
+ private:
+  Vec3<Scalar> derivative(const Scalar& t, int order) const {
+    taylor::GivenFunction<T> function;
+    function.components = 3;
+    function.expand = [path = path_, order](T at, std::span<std::array<T, 3>> rows) { path->expand(at, order, rows); };
+    const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
+    return {Scalar(*t.recording(), places[0]), Scalar(*t.recording(), places[1]), Scalar(*t.recording(), places[2])};
+  }
+  std::shared_ptr<const PiecewisePath<T>> path_;
 };
 
 /// The tide: a sum of tides, each times a number or a parameter.
@@ -86,6 +107,9 @@ struct ToRecorded {
   R operator()(const T& number) const { return number; }
   std::shared_ptr<const AngleSpline<R>> operator()(const std::shared_ptr<const AngleSpline<T>>& table) const {
     return table ? std::make_shared<const AngleSpline<R>>(table) : nullptr;
+  }
+  std::shared_ptr<const PiecewisePath<R>> operator()(const std::shared_ptr<const PiecewisePath<T>>& path) const {
+    return path ? std::make_shared<const PiecewisePath<R>>(path) : nullptr;
   }
   TideSeries<R> operator()(const TideSeries<T>& tide) const { return TideSeries<R>(tide); }
 };

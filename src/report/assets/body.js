@@ -180,12 +180,13 @@ function paintRotor(ink, shape, rotor, turned, place, ghost) {
   paintWheel(ink, { centre: place(times(shape.unit, rotor.center_m)), axis: c, p, q, radius, thickness: 0.2 * radius }, turned, ghost);
 }
 
-/** The faces of the box that face the eye; the ends of body axis 3 are marked. A box with a rotor is of glass. */
-function paintBox(ink, shape, { attitude, carry, rotor, turned }, ghost) {
+/** The faces of the box that face the eye; the ends of body axis 3 are marked. A box with a rotor or moving masses is of glass. */
+function paintBox(ink, shape, { attitude, carry, rotor, turned, masses = [] }, ghost) {
   const { pen, put, eye } = ink, place = (b) => carry(turnedBy(attitude, b));
   const centre = place(shape.centre), edges = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(place);
   if (size(centre) > 0.02) ink.line([0, 0, 0], centre, ghost ? "ref" : "metal-dark", ghost ? 2 : 4);
   if (rotor) paintRotor(ink, shape, rotor, turned, place, ghost);
+  for (const mass of masses) spot(pen, put(place(times(shape.unit, mass))), ghost ? 6 : 5, kPalette[ghost ? "ref" : "metal-dark"], ghost ? 2 : 0);
   for (let k = 0; k < 3; ++k) for (const side of [1, -1]) {
     const normal = times(side, edges[k]);
     if (dot(normal, eye) <= 0) continue;
@@ -197,7 +198,7 @@ function paintBox(ink, shape, { attitude, carry, rotor, turned }, ghost) {
       ink.outline();
       continue;
     }
-    const clear = rotor ? 0.3 : 1;
+    const clear = rotor || masses.length ? 0.3 : 1;
     pen.globalAlpha = clear;
     pen.fillStyle = kPalette.metal;
     pen.fill();

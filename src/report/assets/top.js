@@ -70,6 +70,12 @@ function readRotor({ t_s, rotor, rotor_angle, ref_rotor_angle, body_angle, ref_b
   return { ...rotor, angle, refAngle, body, refBody };
 }
 
+/** Where the masses are that move in a body drawn as a box. */
+function readMasses(data, shape) {
+  const count = shape.kind === "box" && isNumber(data.masses) ? data.masses : 0;
+  return Array.from({ length: count }, (_, i) => makePlace(data.t_s, data[`mass_${i}`]));
+}
+
 function torqueLabel({ says, largest, decade }) {
   if (largest === 0) return `${says} torque: zero`;
   return `${says} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
@@ -107,12 +113,12 @@ function readMotion(data) {
   for (let i = 1; i < axis.count; ++i) step = Math.max(step, data.t_s[i] - data.t_s[i - 1]);
   // Between rows that are more than a radian apart it is unknown how the body turned.
   const dense = rate * step < 1, asBody = attitude.count > 0 && dense, shape = shapeOf(data.top, asBody, tip.count > 0);
-  const rotor = readRotor(data, shape), turns = rotor?.rate_rad_s ?? data.spin_rad_s;
+  const rotor = readRotor(data, shape), masses = readMasses(data, shape), turns = rotor?.rate_rad_s ?? data.spin_rad_s;
   const spin = isNumber(turns) ? turns : 0, span = axis.last - axis.first;
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
   const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
-    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, spin, span, first: axis.first, last: axis.last,
+    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
     precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
     sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
@@ -136,6 +142,7 @@ function motionText(motion, speed, slowed) {
   else if (rotor) parts.push(`The wheel is the rotor and the hoop the cage: the angles of both about the axis are drawn at 1/${format(slowed)} of their rates.`);
   else if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
   else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at ${slowly}.`);
+  if (motion.masses.length) parts.push("The dots are the masses that move in it.");
   if (motion.sparse) parts.push("The body is not symmetric, but the times drawn are too far apart to show how it turns.");
   if (tip.count && isNumber(shrunk) && shrunk > 0)
     parts.push(`The line on the table is the path of the tip${shrunk > 1.005 ? `, drawn ${format(shrunk, 3)} times smaller than the top` : ""}; ` +
@@ -170,11 +177,12 @@ function startTop(data) {
     const spun = once(motion.spin * (time - motion.first));
     const [turned, refTurned] = rotor ? [once(rotor.angle(time)), once(rotor.refAngle(time))] : [spun, spun];
     const [caged, refCaged] = rotor ? [once(rotor.body(time)), once(rotor.refBody(time))] : [0, 0];
+    const masses = motion.masses.map((mass) => mass.at(time));
     const axis = motion.axis.at(time), ref = motion.ref.at(time), drawn = magnified(ref, axis, magnification());
     paintTop(page.pen, put, eye, {
       shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
-      body: { axis: drawn, turned, rotor, caged, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
-      ghost: { axis: ref, turned: refTurned, rotor, caged: refCaged, attitude: motion.refAttitude.at(time), carry: (v) => v },
+      body: { axis: drawn, turned, rotor, masses, caged, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
+      ghost: { axis: ref, turned: refTurned, rotor, masses, caged: refCaged, attitude: motion.refAttitude.at(time), carry: (v) => v },
       earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
       torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });

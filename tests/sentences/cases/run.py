@@ -436,6 +436,26 @@ def inside(text):
     return 0.5 * 4e-5 * fastest * OMEGA < found <= 1.005 * 4e-5 * fastest * OMEGA
 
 
+def on_masses(text):
+    """In [F]'s Coriolis torque of a mass on a line through the pivot the trace acts: 2 m r v times the rate across, 15/8 of the mean speed
+    in the middle of the way."""
+    found = number(text, "on what the masses move in the body alone it is")
+    most = 2 * 0.2 * 0.4 * 1.875 * 0.3 / 2 * OMEGA
+    return 0.2 * most < found < most
+
+
+MASSES = [{"mass_kg": 0.2, "motion": "waypoints", "times_s": [0, 2], "points_m": [[0.1, 0, 0], [0.4, 0, 0]]}]
+WHY_MASSES = [
+    Case(RUN, ["a Coriolis torque acts on all parts,", "which would turn a body that rests, too",
+               "precession, nutation and critical spin: masses move in the body", "no more than that, as masses move in the body"],
+         scenario="toy-top", set={"/moving_masses": MASSES, "/motion/duration_s": 2}, unless={"/moving_masses": None}, page=None,
+         holds=on_masses),
+    Case(RUN, ["Nothing outside acts on the body and what moves in it, and both predictions start with the same rates in space",
+               "whatever happens between the body and what moves in it"], scenario="hard/g16-cycle-of-a-mass",
+         set={"/release": {"tilt_deg": 0, "azimuth_deg": 90, "rates_relative_to": "inertial"}},
+         unless={"/release": {"tilt_deg": 0, "azimuth_deg": 90}}),
+]
+
 GENERAL = {"/numerics": {"model": "general"}, "/motion/duration_s": 2}
 WHY_ROTOR = [
     Case(RUN, ["The bearing's friction changes the rotor's rate in its cage from 600 to 250.117 rad/s",
@@ -523,4 +543,4 @@ ANOTHER = [
          set=along_the_earth_s_axis(1e-18, 80), unless={"/numerics": {"method": "long_horizon"}}),
 ]
 
-CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + WHY_ROTOR + TABLE + GYROSTAT + ANOTHER
+CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + WHY_ROTOR + WHY_MASSES + TABLE + GYROSTAT + ANOTHER

@@ -372,6 +372,17 @@ def coriolis_of_both(text):
     return found[0] <= found[1] and 0.9 * 4e-5 * 19.5 * OMEGA < of_rotor < 1.01 * 4e-5 * 20.4 * OMEGA
 
 
+WITH_MASSES = [
+    explain(["Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c - l); L: momentum of all parts; I and l: inertia and "
+             "momentum in the body with the masses where they are; h c: momentum of a rotor",
+             "an effect of the Earth's rotation; on what moves in the body alone it is",
+             "Inputs: how well they must be known is not computed with masses that move in the body; run the scenario with each of "
+             "them changed",
+             "Warning: effects are sized only for a rigid body; to see what an effect does with moving masses, run the scenario with "
+             "and without it"], "hard/g17-mass-in-a-cage", unless={"/moving_masses": None}),
+]
+
+
 WITH_ROTOR = [
     explain(["Equations: dL/dt = L x w + torque in body axes, w = I^-1 (L - h c); L: momentum of body and rotor; I: inertia of both "
              "without the rotor's about its axis c; h: momentum of the rotor about c, which is constant",
@@ -393,4 +404,4 @@ WITH_ROTOR = [
             unless={"/body/inertia/principal_kg_m2/1": 1.4e-5}),
 ]
 
-CASES = START + EFFECTS + FIT + CHOICE + COST + FIGURES + DOUBTS + ON_TABLE + BUDGET + WITH_ROTOR
+CASES = START + EFFECTS + FIT + CHOICE + COST + FIGURES + DOUBTS + ON_TABLE + BUDGET + WITH_ROTOR + WITH_MASSES
