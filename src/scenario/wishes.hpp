@@ -10,14 +10,11 @@ namespace earthtop::scenario {
 inline constexpr input::Wish kWishes[] = {
     {"cage|gyrostat", "the cage of a rotor is /body, and the rotor that turns in it is /rotor"},
     {"suspension|cardan",
-     "gimbals with moments of their own are not modelled: /rotor turns on an axis fixed in the body, and "
-     "/effects/gimbal holds the body's axis level"},
+     "a Cardan suspension is /gimbals: /gimbals/outer is the outer gimbal, and /body the inner one, which carries /rotor"},
     {"ring",
-     "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the ring of a gimbal has no "
-     "mass here: add its moment about Up to I1 and I2"},
-    {"torsion|tape",
-     "no tape or wire with torsion carries the top: /effects/gimbal lets its level axis turn about Up freely, or "
-     "with damping_N_m_s"},
+     "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the rings of a suspension are "
+     "/gimbals/outer and /body"},
+    {"tape", "the tape that carries a gyroscope is the torsion of /gimbals/outer, torsion_N_m_rad and torsion_rest_deg"},
     {"ellipsoid",
      "neither a solid nor the tip can be an ellipsoid: give an ellipsoid's mass and moments as mass_kg and inertia, "
      "and its tip as a sphere, /contact/tip_radius_m"},

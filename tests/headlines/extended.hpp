@@ -38,6 +38,10 @@ struct Mat {
 };
 inline Vec operator*(const Mat& m, const Vec& v) { return {dot(m.a, v), dot(m.b, v), dot(m.c, v)}; }
 inline Mat transposed(const Mat& m) { return {{m.a.x, m.b.x, m.c.x}, {m.a.y, m.b.y, m.c.y}, {m.a.z, m.b.z, m.c.z}}; }
+inline Mat operator*(const Mat& m, const Mat& n) {
+  const Mat t = transposed(n);
+  return {t * m.a, t * m.b, t * m.c};
+}
 /// The inverse by the reciprocal basis: its columns are cross products of the rows.
 inline Mat inverse(const Mat& m) {
   const Real volume = dot(m.a, cross(m.b, m.c));

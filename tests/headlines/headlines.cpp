@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Computes reference values for the scenarios' headline figures in 113-bit arithmetic. The program shares nothing with
-/// earthtop: it integrates the top in inertial axes (dL/dt = torque) by extrapolation, and subtracts the two motions to get the
-/// drift.
+/// earthtop: it integrates the top in inertial axes (dL/dt = torque), in gimbals the accelerations of their angles, by extrapolation, and
+/// subtracts the two motions to get the drift.
 ///
 ///   earthtop-headlines SCENARIO.json... > values.json
 ///

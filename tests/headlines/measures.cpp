@@ -67,6 +67,16 @@ Columns DriftMeasures::columns(const Motion& rotating, const Motion& reference) 
     add("drift_rotor_angle_rad", rotating.state().rotor_angle - reference.state().rotor_angle);
     add("drift_rotor_axis_rad", atan2q(norm(cross(b, a)), dot(b, a)));
   }
+  if (rotating.in_gimbals()) {
+    for (const auto& [prefix, motion] : {std::pair("", &rotating), std::pair("ref_", &reference)}) {
+      const State& s = motion->state();
+      add(std::string(prefix) + "outer_angle_rad", s.outer_angle), add(std::string(prefix) + "inner_angle_rad", s.inner_angle);
+      add(std::string(prefix) + "outer_rate_rad_s", s.outer_rate), add(std::string(prefix) + "inner_rate_rad_s", s.inner_rate);
+    }
+    const State &s = rotating.state(), &r = reference.state();
+    add("drift_outer_angle_rad", s.outer_angle - r.outer_angle), add("drift_inner_angle_rad", s.inner_angle - r.inner_angle);
+    add("drift_outer_rate_rad_s", s.outer_rate - r.outer_rate), add("drift_inner_rate_rad_s", s.inner_rate - r.inner_rate);
+  }
   if (!rotating.on_table()) return columns;
   const Vec tip = rotating.tip_L(), ref_tip = reference.tip_L(), drift = tip - ref_tip;
   add("tip_L_x_m", tip.x), add("tip_L_y_m", tip.y), add("ref_tip_L_x_m", ref_tip.x), add("ref_tip_L_y_m", ref_tip.y);

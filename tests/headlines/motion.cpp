@@ -48,7 +48,11 @@ State sum(const State& a, Real s, const State& b) {
           a.X_I + s * b.X_I,
           a.V_I + s * b.V_I,
           a.rotor_momentum + s * b.rotor_momentum,
-          a.rotor_angle + s * b.rotor_angle};
+          a.rotor_angle + s * b.rotor_angle,
+          a.outer_angle + s * b.outer_angle,
+          a.inner_angle + s * b.inner_angle,
+          a.outer_rate + s * b.outer_rate,
+          a.inner_rate + s * b.inner_rate};
 }
 
 constexpr int kColumns = 16;  // of the extrapolation: its order is 32
@@ -56,6 +60,10 @@ constexpr int kColumns = 16;  // of the extrapolation: its order is 32
 }  // namespace
 
 Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(rotation_rate) {
+  if (scene.gimbals) {
+    release_in_gimbals();
+    return;
+  }
   const Mat R_LB = matrix(scene.q_LB);
   Vec w_IB_B = scene.w_XB_B;
   if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
@@ -105,12 +113,13 @@ Vec Motion::tip_L() const {
 
 State Motion::slope(Real t, const State& state) const {
   if (scene_->contact) return slope_on_table(t, state);
+  if (scene_->gimbals) return slope_in_gimbals(t, state);
   const Mat R_IB = matrix(state.q_IB);
   State slope{
       state.q_IB * Quat{0, Real(0.5) * angular_velocity(state)}, cross(R_IB * scene_->mass_moment, falling_I(t)), {}, {}};
   if (!scene_->rotor) return slope;
   slope.rotor_angle = rotor_rate(state);
-  slope.rotor_momentum = -scene_->rotor->viscous * slope.rotor_angle;
+  slope.rotor_momentum = scene_->rotor->bearing.torque(0, slope.rotor_angle);
   return slope;
 }
 
@@ -136,13 +145,46 @@ Real Motion::try_step(Real step, Real scale, State& result) const {
   }
   // The difference of the last two columns of the last row, of orders 32 and 30, estimates the error.
   result = row[kColumns - 1];
-  const State error = sum(result, -1, row[kColumns - 2]);
+  return size_of(sum(result, -1, row[kColumns - 2]), scale);
+}
+
+Real Motion::size_of(const State& error, Real scale) const {
+  if (scene_->gimbals) {
+    const Real of_rotor =
+        scene_->rotor ? fabsq(error.rotor_momentum) / (scene_->rotor->axial * (1 + fabsq(scene_->rotor->spin))) : 0;
+    const Real of_angles = fmaxq(fabsq(error.outer_angle), fabsq(error.inner_angle));
+    return fmaxq(of_rotor, fmaxq(of_angles, fmaxq(fabsq(error.outer_rate), fabsq(error.inner_rate))));
+  }
   const Real of_momenta = fmaxq(norm(error.L_I), fabsq(error.rotor_momentum)) / scale;
   return fmaxq(fmaxq(sqrtq(squared_norm(error.q_IB)), of_momenta), fmaxq(norm(error.X_I), norm(error.V_I)));
 }
 
-Quat Motion::q_LB() const { return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB); }
+std::array<Real, 3> Motion::platform_turn(Real t) const {
+  if (!scene_->platform) return {0, 0, 0};
+  const Jet angle = platform_angle(*scene_->platform, t);
+  return {angle.value, angle.first, angle.second};
+}
 
-Vec Motion::w_LB_B() const { return w_IB_B() - rate_ * (transposed(matrix(state_.q_IB)) * scene_->celestial_axis); }
+Quat Motion::q_LB() const {
+  if (scene_->gimbals) {
+    const Quat q = q_PB();
+    return scene_->platform ? turn(scene_->platform->axis, platform_turn(t_)[0]) * q : q;
+  }
+  return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB);
+}
+
+Vec Motion::w_IB_B() const {
+  if (!scene_->gimbals) return angular_velocity(state_);
+  const Posture at = posture(t_, state_);
+  return transposed(at.R_PB) * at.w_B;
+}
+
+Vec Motion::w_LB_B() const {
+  if (!scene_->gimbals) return w_IB_B() - rate_ * (transposed(matrix(state_.q_IB)) * scene_->celestial_axis);
+  const Posture at = posture(t_, state_);
+  return transposed(at.R_PB) * (at.w_B - at.earth);
+}
+
+Real Motion::rotor_rate() const { return scene_->gimbals ? slope_in_gimbals(t_, state_).rotor_angle : rotor_rate(state_); }
 
 }  // namespace headlines

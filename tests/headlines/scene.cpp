@@ -47,6 +47,25 @@ void read_body(const Json& body, Scene& scene) {
     add_point_mass(about_centre ? scene.mass : -scene.mass, scene.centre, scene.inertia);
 }
 
+/// A key of a bearing. @returns whether it is one
+bool read_bearing(const std::string& key, const Json& value, Bearing& bearing) {
+  if (key == "viscous_torque_N_m_s")
+    bearing.viscous = value.get<double>();
+  else if (key == "coulomb_torque_N_m")
+    bearing.coulomb = value.get<double>();
+  else if (key == "regularisation_rad_s")
+    bearing.regularisation = value.get<double>();
+  else if (key == "torsion_N_m_rad")
+    bearing.torsion = value.get<double>();
+  else if (key == "torsion_rest_deg")
+    bearing.rest = Real(value.get<double>()) * pi() / 180;
+  else if (key == "locked")
+    bearing.locked = value.get<bool>();
+  else
+    return false;
+  return true;
+}
+
 /// Adds the rotor's mass and transverse moment to the body's.
 void read_rotor(const Json& json, const std::string& file, Scene& scene) {
   Rotor rotor;
@@ -65,9 +84,17 @@ void read_rotor(const Json& json, const std::string& file, Scene& scene) {
       centre = vector(value);
     else if (key == "spin_rad_s")
       rotor.spin = value.get<double>();
-    else if (key == "viscous_torque_N_m_s")
-      rotor.viscous = value.get<double>();
-    else
+    else if (key == "drive" && (value == "none" || scene.gimbals))
+      rotor.driven = value != "none";
+    else if (key == "acceleration_rad_s2")
+      rotor.acceleration = value.get<double>();
+    else if (key == "amplitude_rad_s")
+      rotor.amplitude = value.get<double>();
+    else if (key == "frequency_hz")
+      rotor.frequency = value.get<double>();
+    else if (key == "phase_deg")
+      rotor.phase = Real(value.get<double>()) * pi() / 180;
+    else if (!read_bearing(key, value, rotor.bearing))
       throw std::runtime_error(file + ": the rotor's " + key + " is beyond this program");
   }
   rotor.axis = (1 / norm(axis)) * axis;
@@ -79,6 +106,45 @@ void read_rotor(const Json& json, const std::string& file, Scene& scene) {
   scene.mass += mass;
   scene.mass_moment += mass * centre;
   scene.rotor = rotor;
+}
+
+/// The outer gimbal's own tensor and mass moment; it may be massless.
+void read_ring(const Json& outer, Gimbals& gimbals) {
+  if (!outer.contains("mass_kg")) return;
+  Scene ring;
+  Json body = outer;
+  if (!body.contains("center_of_mass_m")) body["center_of_mass_m"] = {0, 0, 0};
+  read_body(body, ring);
+  gimbals.ring_inertia = ring.inertia, gimbals.ring_mass_moment = ring.mass_moment;
+}
+
+void read_gimbals(const Json& json, const Json& release, const std::string& file, Scene& scene) {
+  Gimbals gimbals;
+  const Json outer = json.value("outer", Json::object()), inner = json.value("inner", Json::object());
+  const auto unknown = [&](const std::string& key) {
+    throw std::runtime_error(file + ": the gimbals' " + key + " is beyond this program");
+  };
+  for (const auto& [key, value] : outer.items())
+    if (!read_bearing(key, value, gimbals.outer) && key != "axis_tilt_deg" && key != "axis_azimuth_deg" && key != "mass_kg" &&
+        key != "center_of_mass_m" && key != "inertia")
+      unknown(key);
+  for (const auto& [key, value] : inner.items())
+    if (!read_bearing(key, value, gimbals.inner) && key != "axis_skew_deg") unknown(key);
+  read_ring(outer, gimbals);
+  // The axis leans by the tilt toward the compass azimuth; axis 2 of the outer gimbal is then level.
+  const SinCos azimuth = sin_cos_degrees((90 - Real(outer.value("axis_azimuth_deg", 0.0))) / 2);
+  const SinCos tilt = sin_cos_degrees(Real(outer.value("axis_tilt_deg", 0.0)) / 2);
+  const SinCos skew = sin_cos_degrees(Real(inner.value("axis_skew_deg", 0.0)) / 2);
+  gimbals.q_P0 = Quat{azimuth.cos, {0, 0, azimuth.sin}} * Quat{tilt.cos, {0, tilt.sin, 0}};
+  gimbals.q_skew = {skew.cos, {skew.sin, 0, 0}};
+  gimbals.outer_angle = Real(release.at("outer_angle_deg").get<double>()) * pi() / 180;
+  gimbals.inner_angle = Real(release.at("inner_angle_deg").get<double>()) * pi() / 180;
+  gimbals.outer_rate = release.value("outer_rate_rad_s", 0.0);
+  gimbals.inner_rate = release.value("inner_rate_rad_s", 0.0);
+  const Quat released =
+      gimbals.q_P0 * turn({0, 0, 1}, gimbals.outer_angle) * gimbals.q_skew * turn({0, 1, 0}, gimbals.inner_angle);
+  if (released.w < 0) gimbals.q_P0 = {-gimbals.q_P0.w, Real(-1) * gimbals.q_P0.v};
+  scene.gimbals = gimbals;
 }
 
 Quat release_attitude(const Json& release) {
@@ -102,9 +168,10 @@ Real steady_rate(const Scene& scene, Real spin, Real cosine, bool fast) {
 }
 
 void read_release(const Json& release, Scene& scene) {
+  scene.inertial_rates = release.value("rates_relative_to", "laboratory") == "inertial";
+  if (scene.gimbals) return;
   scene.q_LB = release_attitude(release);
   if (scene.q_LB.w < 0) scene.q_LB = {-scene.q_LB.w, Real(-1) * scene.q_LB.v};
-  scene.inertial_rates = release.value("rates_relative_to", "laboratory") == "inertial";
   if (release.contains("angular_velocity_body_rad_s")) {
     scene.w_XB_B = vector(release.at("angular_velocity_body_rad_s"));
     return;
@@ -166,8 +233,9 @@ Scene read_scene(const std::string& file) {
   read_site(json, scene);
   if (json.contains("contact")) read_contact(json.at("contact"), file, scene);
   read_body(json.at("body"), scene);
+  if (json.contains("gimbals")) read_gimbals(json.at("gimbals"), json.at("release"), file, scene);
   if (json.contains("rotor")) read_rotor(json.at("rotor"), file, scene);
-  scene.inverse_inertia = inverse(scene.inertia);
+  if (!scene.gimbals) scene.inverse_inertia = inverse(scene.inertia);
   read_release(json.at("release"), scene);
   if (json.contains("platform")) read_platform(json.at("platform"), scene);
   scene.duration = json.at("motion").at("duration_s").get<double>();

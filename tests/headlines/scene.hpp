@@ -26,12 +26,36 @@ struct Contact {
   bool released_rolling = false;  ///< else the tip's centre is released at rest
 };
 
-/// A symmetric rotor that turns about an axis of the body, free but for viscous friction in its bearing.
+/// What acts between two parts about the axis on which one turns in the other.
+struct Bearing {
+  bool locked = false;
+  Real viscous = 0;                      ///< torque over the rate (N m s)
+  Real coulomb = 0, regularisation = 1;  ///< torque coulomb rate/sqrt(rate^2 + regularisation^2) (N m, rad/s)
+  Real torsion = 0, rest = 0;            ///< of a spring (N m/rad, rad)
+
+  Real torque(Real angle, Real rate) const {
+    return -viscous * rate - coulomb * rate / sqrtq(rate * rate + regularisation * regularisation) - torsion * (angle - rest);
+  }
+};
+
+/// A symmetric rotor that turns about an axis of the body: free but for friction in its bearing, or driven.
 struct Rotor {
-  Vec axis;          ///< unit, body axes
-  Real axial = 0;    ///< moment about the axis (kg m^2)
-  Real viscous = 0;  ///< torque of the bearing over the rate (N m s)
-  Real spin = 0;     ///< rate relative to the body at the release (rad/s)
+  Vec axis;         ///< unit, body axes
+  Real axial = 0;   ///< moment about the axis (kg m^2)
+  Real spin = 0;    ///< rate relative to the body at the release (rad/s)
+  Bearing bearing;  ///< of a free rotor
+  bool driven = false;
+  Real acceleration = 0, amplitude = 0, frequency = 0, phase = 0;  ///< of a driven rotor's rate, as of a platform's angle
+};
+
+/// A Cardan suspension, whose inner gimbal is the body.
+struct Gimbals {
+  Quat q_P0;             ///< from the axes of the outer gimbal at angle 0 into those of laboratory or platform
+  Quat q_skew;           ///< from the body's axes at angle 0 into those of the outer gimbal
+  Mat ring_inertia;      ///< of the outer gimbal about the pivot, its own axes (kg m^2)
+  Vec ring_mass_moment;  ///< its mass x centre of mass (kg m)
+  Bearing outer, inner;
+  Real outer_angle = 0, inner_angle = 0, outer_rate = 0, inner_rate = 0;  ///< at the release (rad, rad/s)
 };
 
 struct Scene {
@@ -53,6 +77,7 @@ struct Scene {
   std::optional<Platform> platform;
   std::optional<Contact> contact;
   std::optional<Rotor> rotor;
+  std::optional<Gimbals> gimbals;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 };

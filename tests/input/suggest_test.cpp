@@ -71,15 +71,13 @@ TEST(Wishes, AreAnsweredWithASentence) {
   const struct {
     const char* key;
     const char* sentence;
-  } cases[] = {{"cardan", "gimbals with moments of their own are not modelled"},
+  } cases[] = {{"cardan", "a Cardan suspension is /gimbals"},
                {"cage_inertia", "the cage of a rotor is /body, and the rotor that turns in it is /rotor"},
                {"rings",
-                "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the ring of a gimbal has no "
-                "mass here: add its moment about Up to I1 and I2"},
-               {"torsion_N_m_rad",
-                "no tape or wire with torsion carries the top: /effects/gimbal lets its level axis turn about "
-                "Up freely, or with damping_N_m_s"},
-               {"tape_length_m", "no tape or wire with torsion carries the top"},
+                "a ring as a part of the top is one of /body/solids, {\"shape\": \"ring\"}; the rings of a suspension are "
+                "/gimbals/outer and /body"},
+               {"tape_length_m",
+                "the tape that carries a gyroscope is the torsion of /gimbals/outer, torsion_N_m_rad and torsion_rest_deg"},
                {"Ellipsoid",
                 "neither a solid nor the tip can be an ellipsoid: give an ellipsoid's mass and moments as mass_kg "
                 "and inertia, and its tip as a sphere, /contact/tip_radius_m"},
@@ -110,8 +108,9 @@ TEST(Wishes, AnEntryGoesWhenItsKeyComes) {
 
 /// The keys and other things that the sentences name are there.
 TEST(Wishes, NameWhatThereIs) {
-  for (const char* pointer : {"/body/solids/*/shape", "/effects/gimbal", "/effects/gimbal/damping_N_m_s",
-                              "/contact/tip_radius_m", "/contact/max_tilt_deg", "/body/inertia", "/body/mass_kg"})
+  for (const char* pointer :
+       {"/body/solids/*/shape", "/gimbals/outer", "/gimbals/outer/torsion_N_m_rad", "/gimbals/outer/torsion_rest_deg", "/body",
+        "/rotor", "/contact/tip_radius_m", "/contact/max_tilt_deg", "/body/inertia", "/body/mass_kg"})
     EXPECT_NE(scenario::fields().find(pointer), nullptr) << pointer;
   EXPECT_TRUE(lists(scenario::fields().find("/body/solids/*/shape")->words, "ring"));
 }
