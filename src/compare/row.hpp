@@ -18,7 +18,7 @@ using input::CellKind, input::CsvReader;
 
 /// A row: its time (s), and the cells of its table's columns in their order.
 struct Row {
-  static constexpr std::size_t kMostColumns = 64;
+  static constexpr std::size_t kMostColumns = 96;
   double t_s = 0;
   std::array<double, kMostColumns> value{};  // NaN where there is no number
   std::array<CellKind, kMostColumns> kind{};

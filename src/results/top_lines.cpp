@@ -74,7 +74,8 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
     lines.emplace_back("fast precession", precession(*top.fast_precession_rad_s) + "; steady, too");
   if (top.nutation_rad_s)
     lines.emplace_back("nutation", fmt::format("{}, {}", with_period(*top.nutation_rad_s, "period"),
-                                               top.nutation_kind == NutationKind::of_release
+                                               top.gimbals ? "of small amplitude"
+                                               : top.nutation_kind == NutationKind::of_release
                                                    ? "at the amplitude of this release"
                                                    : "of small amplitude; this release does not nutate"));
   if (top.gimbals) add_gimbals(*top.gimbals, lines);
