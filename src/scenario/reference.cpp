@@ -26,8 +26,21 @@ bool allowed_by(const Rows& rows, std::string_view keys, const std::string& word
   return !input::lists(keys, key) || input::lists(row_of_word(rows, word).allowed, key);
 }
 
+/// Returns whether a key of the outer gimbal or of an axis is allowed: what acts on an axis acts on none that is locked, a rest belongs to
+/// a spring, and a centre of mass to a mass.
+bool belongs_to_gimbal(std::string_view key, const Json& given) {
+  constexpr std::string_view kOnFreeAxes = "viscous_torque_N_m_s|coulomb_torque_N_m|torsion_N_m_rad|torsion_rest_deg";
+  if (input::lists(kOnFreeAxes, key) && given.value("locked", false)) return false;
+  if (key == "torsion_rest_deg") return given.value("torsion_N_m_rad", 0.0) != 0;
+  return key != "center_of_mass_m" || given.contains("mass_kg");
+}
+
 /// Returns whether a key is allowed together with the keys of `given`, so that its default may be written.
-bool belongs(std::string_view key, const Json& given) {
+bool belongs(std::string_view pattern, std::string_view key, const Json& given) {
+  constexpr std::string_view kOfGimbals = "outer_rate_rad_s|inner_rate_rad_s",
+                             kOfPivot = "azimuth_deg|spin_angle_deg|precession";
+  if (pattern == "/gimbals/outer" || pattern == "/gimbals/inner") return belongs_to_gimbal(key, given);
+  if (input::lists(given.contains("outer_angle_deg") ? kOfPivot : kOfGimbals, key)) return false;
   if (key == "precession") return !given.contains("angular_velocity_body_rad_s");
   if (key == "azimuth_deg" || key == "spin_angle_deg") return !given.contains("quaternion_LB");
   if (key == "relative_tolerance")
@@ -51,7 +64,7 @@ Json annotated(const Json& given, std::string_view pattern) {
     const Field& field = *fields().find(fmt::format("{}/{}", pattern, key));
     const bool stands = given.contains(key);
     if (is_about_original(field.pointer) || (!stands && field.fallback.empty())) continue;
-    if (!stands && !belongs(key, given)) continue;
+    if (!stands && !belongs(pattern, key, given)) continue;
     const Json value = stands ? given.at(key) : json_of(field.fallback);
     if (!stands && value == Json::object() && fields().keys_below(field.pointer).empty()) continue;
     std::string comment(field.doc);
