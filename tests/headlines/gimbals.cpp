@@ -89,11 +89,22 @@ State Motion::slope_in_gimbals(Real t, const State& state) const {
   const Vec need_A = ring * acceleration_A + cross(at.w_A, ring * at.w_A);
   const Vec need_B = body * acceleration_B + cross(at.w_B, body * at.w_B + spin) + spin_rate;
   const Vec G = falling_P(t);
-  const Vec on_A = cross(at.R_PA * gimbals.ring_mass_moment, G) - need_A;
-  const Vec on_B = cross(at.R_PB * scene_->mass_moment, G) - need_B;
+  Vec on_A = cross(at.R_PA * gimbals.ring_mass_moment, G) - need_A;
+  Vec on_B = cross(at.R_PB * scene_->mass_moment, G) - need_B;
+  Real m_aa = dot(a, ring * a) + dot(a, body * a), m_ab = dot(a, body * b), m_bb = dot(b, body * b);
+  // Each mass on its path needs the force m (acceleration - G); of the acceleration all but the angles' own is known.
+  for (const MovingMass& mass : scene_->masses) {
+    const Place place = mass.place(t);
+    const Mat& R = mass.on_ring ? at.R_PA : at.R_PB;
+    const Vec &w = mass.on_ring ? at.w_A : at.w_B, r = R * place.at;
+    const Vec turning = cross(mass.on_ring ? acceleration_A : acceleration_B, r) + cross(w, cross(w, r));
+    const Vec acceleration = turning + 2 * cross(w, R * place.velocity) + R * place.acceleration;
+    (mass.on_ring ? on_A : on_B) += mass.mass * cross(r, G - acceleration);
+    const Vec by_a = cross(a, r), by_b = mass.on_ring ? Vec{} : cross(b, r);
+    m_aa += mass.mass * dot(by_a, by_a), m_ab += mass.mass * dot(by_a, by_b), m_bb += mass.mass * dot(by_b, by_b);
+  }
   const Real f_a = gimbals.outer.torque(state.outer_angle, state.outer_rate) + dot(a, on_A + on_B);
   const Real f_b = gimbals.inner.torque(state.inner_angle, state.inner_rate) + dot(b, on_B);
-  const Real m_aa = dot(a, ring * a) + dot(a, body * a), m_ab = dot(a, body * b), m_bb = dot(b, body * b);
   if (gimbals.inner.locked) {
     slope.outer_rate = f_a / m_aa;
   } else if (gimbals.outer.locked) {

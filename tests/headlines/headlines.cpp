@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Computes reference values for the scenarios' headline figures in 113-bit arithmetic. The program shares nothing with
-/// earthtop: it integrates the top in inertial axes (dL/dt = torque), in gimbals the accelerations of their angles, by extrapolation, and
-/// subtracts the two motions to get the drift.
+/// earthtop: it integrates the top in inertial axes (dL/dt = torque), in gimbals the accelerations of their angles (masses on
+/// given paths as particles), by extrapolation, and subtracts the two motions to get the drift.
 ///
 ///   earthtop-headlines SCENARIO.json... > values.json
 ///
@@ -29,14 +29,15 @@ Columns columns_at(const Scene& scene, Real time, Real tolerance) {
   measures.follow(rotating, reference);
   Real step = 1e-3Q;
   while (rotating.time() < time) {
-    const bool last = rotating.time() + step >= time;
-    const Real h = last ? time - rotating.time() : step;
+    const Real end = scene.next_corner(rotating.time(), time);  // a step lies between two corners
+    const bool last = rotating.time() + step >= end;
+    const Real h = last ? end - rotating.time() : step;
     State next_rotating, next_reference;
     const Real error = fmaxq(rotating.try_step(h, scale, next_rotating), reference.try_step(h, scale, next_reference));
     const Real factor = error > 0 ? 0.9Q * powq(tolerance / error, Real(1) / kOrder) : 2;
     step = h * fminq(2, fmaxq(0.2Q, factor));
     if (error > tolerance) continue;
-    const Real t = last ? time : rotating.time() + h;
+    const Real t = last ? end : rotating.time() + h;
     rotating.accept(t, next_rotating), reference.accept(t, next_reference);
     measures.follow(rotating, reference);
   }

@@ -67,7 +67,7 @@ Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(r
   const Mat R_LB = matrix(scene.q_LB);
   Vec w_IB_B = scene.w_XB_B;
   if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
-  state_ = {scene.q_LB, R_LB * (scene.inertia * w_IB_B), {}, {}};
+  state_ = {scene.q_LB, R_LB * (scene.inertia_at(0) * w_IB_B + scene.momentum_within(0)), {}, {}};
   if (scene.rotor) {
     const Rotor& rotor = *scene.rotor;
     state_.rotor_momentum = rotor.axial * (dot(rotor.axis, w_IB_B) + rotor.spin);
@@ -96,14 +96,15 @@ Vec Motion::falling_I(Real t) const {
   return falling;
 }
 
-Vec Motion::angular_velocity(const State& state) const {
+Vec Motion::angular_velocity(Real t, const State& state) const {
   Vec L_B = transposed(matrix(state.q_IB)) * state.L_I;
   if (scene_->rotor) L_B = L_B - state.rotor_momentum * scene_->rotor->axis;
-  return scene_->inverse_inertia * L_B;
+  if (scene_->masses.empty()) return scene_->inverse_inertia * L_B;
+  return inverse(scene_->inertia_at(t)) * (L_B - scene_->momentum_within(t));
 }
 
-Real Motion::rotor_rate(const State& state) const {
-  return state.rotor_momentum / scene_->rotor->axial - dot(scene_->rotor->axis, angular_velocity(state));
+Real Motion::rotor_rate(Real t, const State& state) const {
+  return state.rotor_momentum / scene_->rotor->axial - dot(scene_->rotor->axis, angular_velocity(t, state));
 }
 
 Vec Motion::tip_L() const {
@@ -115,10 +116,12 @@ State Motion::slope(Real t, const State& state) const {
   if (scene_->contact) return slope_on_table(t, state);
   if (scene_->gimbals) return slope_in_gimbals(t, state);
   const Mat R_IB = matrix(state.q_IB);
-  State slope{
-      state.q_IB * Quat{0, Real(0.5) * angular_velocity(state)}, cross(R_IB * scene_->mass_moment, falling_I(t)), {}, {}};
+  State slope{state.q_IB * Quat{0, Real(0.5) * angular_velocity(t, state)},
+              cross(R_IB * scene_->mass_moment_at(t), falling_I(t)),
+              {},
+              {}};
   if (!scene_->rotor) return slope;
-  slope.rotor_angle = rotor_rate(state);
+  slope.rotor_angle = rotor_rate(t, state);
   slope.rotor_momentum = scene_->rotor->bearing.torque(0, slope.rotor_angle);
   return slope;
 }
@@ -174,7 +177,7 @@ Quat Motion::q_LB() const {
 }
 
 Vec Motion::w_IB_B() const {
-  if (!scene_->gimbals) return angular_velocity(state_);
+  if (!scene_->gimbals) return angular_velocity(t_, state_);
   const Posture at = posture(t_, state_);
   return transposed(at.R_PB) * at.w_B;
 }
@@ -185,6 +188,6 @@ Vec Motion::w_LB_B() const {
   return transposed(at.R_PB) * (at.w_B - at.earth);
 }
 
-Real Motion::rotor_rate() const { return scene_->gimbals ? slope_in_gimbals(t_, state_).rotor_angle : rotor_rate(state_); }
+Real Motion::rotor_rate() const { return scene_->gimbals ? slope_in_gimbals(t_, state_).rotor_angle : rotor_rate(t_, state_); }
 
 }  // namespace headlines

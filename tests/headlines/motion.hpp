@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The top in inertial axes: attitude and angular momentum about the pivot, integrated from dL/dt = torque alone; on a table
 /// attitude, angular momentum about the centre of mass, and the path of the centre of mass. A rotor adds its momentum about its axis, which
-/// only its bearing changes. In gimbals it is the two angles and their rates, integrated from the accelerations.
+/// only its bearing changes; masses that move in the body add theirs relative to it. In gimbals it is the two angles and their rates,
+/// integrated from the accelerations.
 #pragma once
 
 #include "scene.hpp"
@@ -49,8 +50,8 @@ class Motion {
   State slope_in_gimbals(Real t, const State& state) const;
   /// How far a step may be off: the largest of the quantities that try_step names.
   Real size_of(const State& error, Real scale) const;
-  Vec angular_velocity(const State& state) const;
-  Real rotor_rate(const State& state) const;
+  Vec angular_velocity(Real t, const State& state) const;
+  Real rotor_rate(Real t, const State& state) const;
   /// Axes and rates of all parts in gimbals.
   struct Posture {
     Mat R_PA, R_PB;    ///< from the axes of either gimbal into those of the laboratory or the platform

@@ -21,14 +21,6 @@ void read_site(const Json& json, Scene& scene) {
   scene.gravity = site.at("gravity_m_s2").get<double>();
 }
 
-/// Huygens and Steiner: adds m (c.c 1 - c c^T).
-void add_point_mass(Real mass, const Vec& centre, Mat& inertia) {
-  const Real square = dot(centre, centre);
-  inertia.a += mass * (Vec{square, 0, 0} - centre.x * centre);
-  inertia.b += mass * (Vec{0, square, 0} - centre.y * centre);
-  inertia.c += mass * (Vec{0, 0, square} - centre.z * centre);
-}
-
 /// The inertia is that about the centre of mass for a top on a table, else about the pivot.
 void read_body(const Json& body, Scene& scene) {
   const Json& inertia = body.at("inertia");
@@ -176,17 +168,41 @@ void read_release(const Json& release, Scene& scene) {
     scene.w_XB_B = vector(release.at("angular_velocity_body_rad_s"));
     return;
   }
-  const Real spin = scene.rotor ? release.value("spin_rad_s", 0.0) : release.at("spin_rad_s").get<double>();
+  const Real spin =
+      scene.rotor || !scene.masses.empty() ? release.value("spin_rad_s", 0.0) : release.at("spin_rad_s").get<double>();
   const Vec up_B = matrix(scene.q_LB).c;
   const Json precession = release.value("precession", Json("none"));
   Real rate = 0;
   if (precession.is_object())
     rate = precession.at("rate_rad_s").get<double>();
-  else if (precession != "none" && (scene.contact || scene.rotor))
-    throw std::runtime_error("steady precession on a table or with a rotor is beyond this program");
+  else if (precession != "none" && (scene.contact || scene.rotor || !scene.masses.empty()))
+    throw std::runtime_error("steady precession on a table, with a rotor or with masses is beyond this program");
   else if (precession != "none")
     rate = steady_rate(scene, spin, up_B.z, precession == "steady_fast");
   scene.w_XB_B = {rate * up_B.x, rate * up_B.y, spin};  // spin_rad_s is the whole component along axis 3
+}
+
+void read_mass(const Json& json, const std::string& file, Scene& scene) {
+  MovingMass mass;
+  const std::string motion = json.at("motion");
+  mass.mass = json.at("mass_kg").get<double>();
+  mass.on_ring = json.value("carrier", "body") == "outer";
+  if (json.contains("center_m")) mass.centre = vector(json.at("center_m"));
+  mass.frequency = json.value("frequency_hz", 0.0);
+  mass.phase = Real(json.value("phase_deg", 0.0)) * pi() / 180;
+  if (motion == "harmonic") {
+    mass.along_sin = vector(json.at("amplitude_m"));
+  } else if (motion == "circle") {
+    const Vec axis = vector(json.at("axis"));
+    mass.along_cos = vector(json.at("start_m"));
+    mass.along_sin = (1 / norm(axis)) * cross(axis, mass.along_cos);
+  } else if (motion == "waypoints") {
+    for (const Json& time : json.at("times_s")) mass.times.push_back(time.get<double>());
+    for (const Json& point : json.at("points_m")) mass.points.push_back(vector(point));
+  } else if (motion != "fixed") {
+    throw std::runtime_error(file + ": a mass's motion " + motion + " is beyond this program");
+  }
+  scene.masses.push_back(mass);
 }
 
 void read_platform(const Json& json, Scene& scene) {
@@ -235,6 +251,8 @@ Scene read_scene(const std::string& file) {
   read_body(json.at("body"), scene);
   if (json.contains("gimbals")) read_gimbals(json.at("gimbals"), json.at("release"), file, scene);
   if (json.contains("rotor")) read_rotor(json.at("rotor"), file, scene);
+  for (const Json& mass : json.value("moving_masses", Json::array())) read_mass(mass, file, scene);
+  if (scene.contact && !scene.masses.empty()) throw std::runtime_error(file + ": masses on a table are beyond this program");
   if (!scene.gimbals) scene.inverse_inertia = inverse(scene.inertia);
   read_release(json.at("release"), scene);
   if (json.contains("platform")) read_platform(json.at("platform"), scene);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "extended.hpp"
 
@@ -58,6 +59,24 @@ struct Gimbals {
   Real outer_angle = 0, inner_angle = 0, outer_rate = 0, inner_rate = 0;  ///< at the release (rad, rad/s)
 };
 
+/// Place of a point with its time derivatives, in the axes of what it rides on.
+struct Place {
+  Vec at, velocity, acceleration;
+};
+
+/// A point mass on a given path in the body or in the outer gimbal: centre + along_cos cos(angle) + along_sin sin(angle), where
+/// angle = 2 pi frequency t + phase; or, with waypoints, straight lines between them.
+struct MovingMass {
+  Real mass = 0;  ///< kg
+  bool on_ring = false;
+  Vec centre, along_cos, along_sin;  ///< m
+  Real frequency = 0, phase = 0;     ///< Hz, rad
+  std::vector<Real> times;           ///< at which it rests at the waypoints (s)
+  std::vector<Vec> points;           ///< the waypoints (m)
+
+  Place place(Real t) const;
+};
+
 struct Scene {
   std::string name;
   // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
@@ -78,9 +97,21 @@ struct Scene {
   std::optional<Contact> contact;
   std::optional<Rotor> rotor;
   std::optional<Gimbals> gimbals;
+  std::vector<MovingMass> masses;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
+
+  /// Adds the masses in the body, where they are at t, to the body's tensor and mass moment.
+  Mat inertia_at(Real t) const;
+  Vec mass_moment_at(Real t) const;
+  /// Momentum of the masses in the body, relative to it, in its axes.
+  Vec momentum_within(Real t) const;
+  /// The next time after t, or the last one at all, at which the path of a mass has a corner.
+  Real next_corner(Real t, Real last) const;
 };
+
+/// Adds m (p.p 1 - p p^T) to a tensor (Huygens and Steiner).
+void add_point_mass(Real mass, const Vec& place, Mat& inertia);
 
 /// @throws std::runtime_error for a scene with keys that this program does not know
 Scene read_scene(const std::string& file);

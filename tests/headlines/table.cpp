@@ -25,7 +25,7 @@ Contacting friction_on_patch(const Contact& contact, const Vec& slip, Real pivot
 State Motion::slope_on_table(Real t, const State& state) const {
   const Contact& contact = *scene_->contact;
   const Mat R_IB = matrix(state.q_IB);
-  const Vec w_IB_B = angular_velocity(state), w = R_IB * w_IB_B, r_c = R_IB * scene_->centre;
+  const Vec w_IB_B = angular_velocity(t, state), w = R_IB * w_IB_B, r_c = R_IB * scene_->centre;
   const Vec W = rate_ * scene_->celestial_axis, up = headlines::turned(scene_->celestial_axis, rate_ * t, Vec{0, 0, 1});
   const Real r = contact.tip_radius, m = scene_->mass;
   const auto solve_inertia = [&](const Vec& torque) { return R_IB * (scene_->inverse_inertia * (transposed(R_IB) * torque)); };
