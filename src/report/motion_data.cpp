@@ -103,6 +103,37 @@ void add_masses(const Run& run, Json& data) {
   data["masses"] = masses.size();
 }
 
+/// The outer gimbal of a suspension: its axis, and the normal of the plane of both axes, in both motions.
+void add_ring(const Run& run, Json& data) {
+  constexpr int kDirectionBits = 14;
+  const Model<double>& model = run.scene->model<double>();
+  const PrescribedMotion<double>& turn = model.platform.turn;
+  const auto add = [&](const std::string& name, const std::function<Vec3<double>(double, double)>& direction_P,
+                       const char* angle) {
+    const std::vector<double> angles = values(run.played, angle);
+    std::array<std::vector<double>, 3> components;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double t_s = run.played.rows[i].t_s;
+      const Vec3<double> v = earthtop::times(turn_matrix(turn.axis, turn.angle(t_s)), direction_P(angles[i], t_s));
+      for (int k = 0; k < 3; ++k) components[static_cast<std::size_t>(k)].push_back(v[k]);
+    }
+    Json packed_components = Json::array();
+    for (const auto& list : components) {
+      if (!all_finite(list)) return;
+      packed_components.push_back(packed(list, kDirectionBits));
+    }
+    data["packed"]["vectors"][name] = std::move(packed_components);
+  };
+  const Mat3<double>& R_P0 = model.gimbals.R_P0;
+  const auto normal = [&](double outer, double) -> Vec3<double> {
+    return R_P0 * Vec3<double>(real::cos(outer), real::sin(outer), 0);
+  };
+  add("ring_normal", normal, "outer_angle_rad");
+  add("ref_ring_normal", normal, "ref_outer_angle_rad");
+  add(
+      "ring_axis", [&](double, double) -> Vec3<double> { return R_P0.col(2); }, "outer_angle_rad");
+}
+
 /// Half way between the least and the greatest of the numbers that are finite.
 double middle(const std::vector<double>& list) {
   const Reach reach = reach_of(list);
@@ -177,6 +208,7 @@ void add_motion(const Run& run, Json& data) {
   if (const auto& rotor = run.scene->scenario().rotor; rotor && !run.played.rows.empty()) add_rotor(run, *rotor, data);
   const Model<double>& model = run.scene->model<double>();
   if (model.masses.any()) add_masses(run, data);
+  if (run.scene->scenario().gimbals && !run.played.rows.empty()) add_ring(run, data);
   data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
 }
 

@@ -15,6 +15,16 @@
 namespace earthtop {
 namespace {
 
+/// Some of the looks, evenly and with the last: enough to fit a few harmonics.
+std::vector<DriftRow> thinned(const std::vector<DriftRow>& looks) {
+  constexpr std::size_t kMost = 2000;
+  const std::size_t stride = (looks.size() + kMost - 1) / kMost;
+  std::vector<DriftRow> some;
+  for (std::size_t left = looks.size(); left > 0; left -= std::min(left, stride)) some.push_back(looks[left - 1]);
+  std::ranges::reverse(some);
+  return some;
+}
+
 /// A line with swings at a rate and its multiples, fitted to one angle of the looks.
 struct FittedSwing {
   double middle, slope, amplitude;
@@ -25,7 +35,7 @@ template <class Value>
 std::optional<FittedSwing> fitted_swing(const std::vector<DriftRow>& looks, double rate, const Value& value) {
   constexpr Eigen::Index kHarmonics = 3, kColumns = 2 + 2 * kHarmonics;
   const auto count = static_cast<Eigen::Index>(looks.size());
-  if (count < 4 * kColumns) return std::nullopt;
+  if (count < 2 * kColumns) return std::nullopt;
   Eigen::MatrixXd columns(count, kColumns);
   Eigen::VectorXd angles(count);
   const double end = looks.back().t_s;
@@ -69,15 +79,52 @@ double reference_outer(const DriftRow& row) { return row.gimbals->ref_outer_angl
 double reference_inner(const DriftRow& row) { return row.gimbals->ref_inner_angle_rad; }
 double rotating_outer(const DriftRow& row) { return row.gimbals->outer_angle_rad; }
 
+/// The rate of nutation of a balanced suspension without the Earth, by quadrature between both turning points of the inner angle:
+///   N beta'^2 = 2 E - (p_a - h cos(beta))^2 / M(beta)
+std::optional<double> nutation_rate(const Scene& scene) {
+  const Model<double>& model = scene.model<double>();
+  const GimbalAngles<double>& at = model.gimbals.release;
+  const double h = gimbal_rotor_momentum(scene), across = model.I_BP_B(0, 0), along = model.I_BP_B(2, 2);
+  const auto moment = [&](double inner) {
+    const double sine = real::sin(inner), cosine = real::cos(inner);
+    return model.gimbals.ring.I(2, 2) + across * sine * sine + along * cosine * cosine;
+  };
+  const double N = model.I_BP_B(1, 1), p_ring = moment(at.inner) * at.outer_rate;
+  const auto left = [&](double inner) {  // p_a - h cos(beta)
+    return p_ring + 2 * h * real::sin((inner + at.inner) / 2) * real::sin((inner - at.inner) / 2);
+  };
+  const double energy = N * at.inner_rate * at.inner_rate + p_ring * at.outer_rate;
+  const auto square = [&](double inner) { return energy - left(inner) * left(inner) / moment(inner); };
+  double middle = at.inner;
+  for (int i = 0; i < 20; ++i) middle -= left(middle) / (h * real::sin(middle));
+  if (!(std::abs(middle - at.inner) < 1) || !(square(middle) > 0)) return std::nullopt;
+  const auto turning = [&](double side) -> std::optional<double> {
+    double step = std::sqrt(energy * moment(middle)) / std::abs(h * real::sin(middle)), inside = 0;
+    while (square(middle + side * step) > 0 && step < 1) inside = step, step *= 1.5;
+    if (!(step < 1)) return std::nullopt;
+    for (int i = 0; i < 60; ++i) (square(middle + side * (inside + step) / 2) > 0 ? inside : step) = (inside + step) / 2;
+    return middle + side * inside;
+  };
+  const auto least = turning(-1), most = turning(1);
+  if (!least || !most) return std::nullopt;
+  constexpr int kPoints = 64;
+  double period_s = 0;
+  for (int i = 0; i < kPoints; ++i) {
+    const double phase = std::numbers::pi * ((i + 0.5) / kPoints - 0.5), reach = (*most - *least) / 2;
+    const double f = square((*most + *least) / 2 + reach * real::sin(phase));
+    if (!(f > 0)) return std::nullopt;
+    period_s += 2 * std::numbers::pi / kPoints * reach * real::cos(phase) * std::sqrt(N / f);
+  }
+  return 2 * std::numbers::pi / period_s;
+}
+
 /// The drift of the outer angle that nutation makes, to second order in its amplitude X about b:
 ///   - h X^2 cos(b) (A3 + B3) / (2 M0^2)                              [K. Magnus, Kreisel (1971)]
 std::optional<TheoryReport> magnus_drift(const Scene& scene, const std::vector<DriftRow>& looks) {
   constexpr double kFewest = 3;  // nutations
   if (!has_magnus_drift(scene)) return std::nullopt;
-  const std::optional<double> expected = gimbal_nutation(scene);
-  if (!expected || !(*expected * looks.back().t_s > 2 * std::numbers::pi * kFewest)) return std::nullopt;
-  const std::optional<double> rate = swinging_rate(looks, *expected, 0.02, reference_inner);
-  if (!rate) return std::nullopt;
+  const std::optional<double> rate = nutation_rate(scene);
+  if (!rate || !(*rate * looks.back().t_s > 2 * std::numbers::pi * kFewest)) return std::nullopt;
   const auto inner = fitted_swing(looks, *rate, reference_inner), outer = fitted_swing(looks, *rate, reference_outer);
   const double X = inner->amplitude, b = inner->middle, h = gimbal_rotor_momentum(scene);
   constexpr double kSmallest = 1e-9;  // rad: less is rounding
@@ -164,10 +211,11 @@ std::vector<TheoryReport> slow_swing(const Scene& scene, const std::vector<Drift
 
 }  // namespace
 
-std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& looks,
+std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& all_looks,
                                                    const DriftSummary& drift) {
   std::vector<TheoryReport> reports;
-  if (looks.size() < 3 || !looks.front().gimbals) return reports;
+  if (all_looks.size() < 3 || !all_looks.front().gimbals) return reports;
+  const std::vector<DriftRow> looks = thinned(all_looks);
   if (scene.rotation_rate_rad_s() != 0) {
     if (auto report = kept_direction(scene, looks, drift)) reports.push_back(*std::move(report));
     for (TheoryReport& report : slow_swing(scene, looks)) reports.push_back(std::move(report));

@@ -18,6 +18,12 @@ using testing::changed;
 void ask_for_table(Scenario& s) {
   s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::rolling, .start = ContactStart::rolling};
 }
+void ask_for_gimbals(Scenario& s) {
+  BodySpec& ring = s.gimbals.emplace().ring.emplace();
+  ring.mass_kg = 0.1;
+  testing::set_principal(ring, 1e-4, 1e-4, 1e-4);
+  s.release.gimbals = GimbalReleaseSpec{20, 60, 0, 0};
+}
 void ask_for_masses(Scenario& s) {
   MovingMassSpec& mass = s.moving_masses.emplace_back();
   mass.mass_kg = 0.001, mass.motion = MassMotion::circle, mass.start_m = {0.01, 0, 0}, mass.frequency_hz = 1;
@@ -35,6 +41,7 @@ struct Asked {
   void (*ask)(Scenario&);
 };
 constexpr Asked kAsked[] = {{SupportKind::table, "/contact", ask_for_table},
+                            {SupportKind::suspension, "/gimbals", ask_for_gimbals},
                             {SupportKind::masses, "/moving_masses", ask_for_masses},
                             {SupportKind::rotor, "/rotor", ask_for_rotor},
                             {SupportKind::platform, "/platform", ask_for_platform},
@@ -64,6 +71,9 @@ TEST(Support, OnlyAFixedPivotHasExactMotions) {
     switch (asked.kind) {
       case SupportKind::table:
         EXPECT_EQ(said, "\"long_horizon\" is not available for a top on a table; take \"auto\", or leave the contact out");
+        break;
+      case SupportKind::suspension:
+        EXPECT_EQ(said, "\"long_horizon\" is not available for a body in gimbals; take \"auto\", or leave the gimbals out");
         break;
       case SupportKind::masses:
         EXPECT_EQ(

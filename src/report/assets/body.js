@@ -135,6 +135,19 @@ function paintHoop(ink, wheel, turned, ghost, front) {
   for (const run of runs) ink.path(run, kPalette[ghost ? "ref" : "metal-dark"], ghost ? 1.5 : 4, ghost ? kDashes.ref : []);
 }
 
+/** The outer gimbal about the pivot, in the plane of both axes, as far as it is on the eye's side or on the other one, and its axis. */
+function paintGimbal(ink, { axis, normal, radius }, ghost, front) {
+  const across = cross(axis, normal), colour = kPalette[ghost ? "ref" : "metal-dark"], runs = [[]];
+  for (let k = 0; k <= 64; ++k) {
+    const angle = (k * Math.PI) / 32, out = combine(Math.cos(angle), axis, Math.sin(angle), across);
+    if ((dot(out, ink.eye) >= 0) === front) runs.at(-1).push(times(radius, out));
+    else if (runs.at(-1).length) runs.push([]);
+  }
+  for (const run of runs) ink.path(run, colour, ghost ? 1.5 : 4, ghost ? kDashes.ref : []);
+  for (const side of [1, -1])
+    if ((side * dot(axis, ink.eye) >= 0) === front) ink.path([times(side * radius, axis), times(side * (radius + 0.15), axis)], colour, ghost ? 1.5 : 3);
+}
+
 /** @param caged  the angle of the cage about the axis, in which the wheel turns; null where there is none */
 function paintDisc(ink, shape, axis, turned, ghost, caged = null) {
   const { height, radius, thickness, low: bottom = 0, high: top = 1 } = shape, along = (h) => times(h, axis);
@@ -217,6 +230,13 @@ function paintBox(ink, shape, { attitude, carry, rotor, turned, masses = [] }, g
 }
 
 function paintBody(ink, shape, drawn, ghost) {
+  const gimbal = drawn.gimbal && { ...drawn.gimbal, radius: shape.kind === "box" ? 1.05 : 0.72 };
+  if (gimbal) paintGimbal(ink, gimbal, ghost, false);
+  paintAnyBody(ink, shape, drawn, ghost);
+  if (gimbal) paintGimbal(ink, gimbal, ghost, true);
+}
+
+function paintAnyBody(ink, shape, drawn, ghost) {
   const { axis, turned, attitude, rotor, caged } = drawn;
   if (shape.kind === "box" && attitude) paintBox(ink, shape, drawn, ghost);
   else if (axis && rotor) paintDisc(ink, shape.kind === "disc" ? shape : kDisc, axis, caged + turned, ghost, caged);

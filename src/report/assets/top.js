@@ -76,6 +76,17 @@ function readMasses(data, shape) {
   return Array.from({ length: count }, (_, i) => makePlace(data.t_s, data[`mass_${i}`]));
 }
 
+/** The outer gimbal in each motion, if there is one. */
+function readGimbal({ t_s, ring_axis, ring_normal, ref_ring_normal }) {
+  const [axis, normal, refNormal] = [ring_axis, ring_normal, ref_ring_normal].map((list) => makeTrack(t_s, list));
+  if (!axis.count || !normal.count || !refNormal.count) return null;
+  const by = (track) => (time, carry) => {
+    const [a, n] = [axis.at(time), track.at(time)];
+    return a && n ? { axis: carry(a), normal: carry(n) } : null;
+  };
+  return { at: by(normal), refAt: by(refNormal) };
+}
+
 function torqueLabel({ says, largest, decade }) {
   if (largest === 0) return `${says} torque: zero`;
   return `${says} torque ×${decade === 0 ? "1" : `1e${decade}`}, at most ${format(largest, 3)} N m`;
@@ -118,7 +129,7 @@ function readMotion(data) {
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
   const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
-    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, spin, span, first: axis.first, last: axis.last,
+    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, gimbal: readGimbal(data), spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
     precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
     sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
@@ -142,6 +153,7 @@ function motionText(motion, speed, slowed) {
   else if (rotor) parts.push(`The wheel is the rotor and the hoop the cage: the angles of both about the axis are drawn at 1/${format(slowed)} of their rates.`);
   else if (shape.kind === "box") parts.push("The body is drawn as the uniform box of the same moments of inertia, as it turns; the disc on it marks its axis 3.");
   else if (spin !== 0) parts.push(`The spin of ${format(spin)} rad/s is drawn at ${slowly}.`);
+  if (motion.gimbal) parts.push("The ring is the outer gimbal, with its axis; the body in it is the inner one.");
   if (motion.masses.length) parts.push("The dots are the masses that move in it.");
   if (motion.sparse) parts.push("The body is not symmetric, but the times drawn are too far apart to show how it turns.");
   if (tip.count && isNumber(shrunk) && shrunk > 0)
@@ -179,10 +191,11 @@ function startTop(data) {
     const [caged, refCaged] = rotor ? [once(rotor.body(time)), once(rotor.refBody(time))] : [0, 0];
     const masses = motion.masses.map((mass) => mass.at(time));
     const axis = motion.axis.at(time), ref = motion.ref.at(time), drawn = magnified(ref, axis, magnification());
+    const carry = axis && drawn ? carrier(axis, drawn) : (v) => v, still = (v) => v;
     paintTop(page.pen, put, eye, {
       shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
-      body: { axis: drawn, turned, rotor, masses, caged, attitude: motion.attitude.at(time), carry: axis && drawn ? carrier(axis, drawn) : (v) => v },
-      ghost: { axis: ref, turned: refTurned, rotor, masses, caged: refCaged, attitude: motion.refAttitude.at(time), carry: (v) => v },
+      body: { axis: drawn, turned, rotor, masses, caged, attitude: motion.attitude.at(time), carry, gimbal: motion.gimbal?.at(time, carry) },
+      ghost: { axis: ref, turned: refTurned, rotor, masses, caged: refCaged, attitude: motion.refAttitude.at(time), carry: still, gimbal: motion.gimbal?.refAt(time, still) },
       earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
       torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });
