@@ -39,7 +39,7 @@ void add_gimbals(const TopFigures::OfGimbals& gimbals, Lines& lines) {
     const auto degrees = [](double rad) { return std::round(rad * kDegrees * 1e6) / 1e6 + 0.0; };
     std::string swings = fmt::format("outer angle {:.6g} deg, inner angle {:.6g} deg", degrees(*gimbals.outer_rest_rad),
                                      degrees(*gimbals.inner_rest_rad));
-    if (gimbals.slow_period_s) swings += fmt::format("; small swings about it take {:.6g} s", *gimbals.slow_period_s);
+    if (gimbals.slow_period_s) swings += fmt::format("; small undamped swings about it take {:.6g} s", *gimbals.slow_period_s);
     if (gimbals.slow_period_s && gimbals.fast_period_s) swings += fmt::format(" and {:.6g} s", *gimbals.fast_period_s);
     lines.emplace_back("place of rest", swings);
   }

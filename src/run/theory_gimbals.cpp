@@ -209,6 +209,32 @@ std::vector<TheoryReport> slow_swing(const Scene& scene, const std::vector<Drift
   return {period, middle};
 }
 
+/// The angle at which spring, weight and gyroscopic torque hold the gimbal that is free alone, once its damper has brought it to rest.
+std::optional<TheoryReport> settled_angle(const Scene& scene, const std::vector<DriftRow>& looks) {
+  const Gimbals<double>& gimbals = scene.model<double>().gimbals;
+  if (gimbals.outer.locked == gimbals.inner.locked) return std::nullopt;
+  const Bearing<double>& free = gimbals.outer.locked ? gimbals.inner : gimbals.outer;
+  if (free.viscous == 0 || free.coulomb != 0) return std::nullopt;
+  const std::optional<GimbalRest> rest = gimbal_rest(scene, Prediction::reference);
+  if (!rest) return std::nullopt;
+  const auto angle = [&](const DriftRow& row) { return gimbals.outer.locked ? reference_inner(row) : reference_outer(row); };
+  const double last = angle(looks.back()), reach = std::abs(last - angle(looks.front()));
+  double swing = 0;  // in the last fifth
+  for (auto look = looks.end() - static_cast<std::ptrdiff_t>(looks.size() / 5); look != looks.end(); ++look)
+    swing = std::max(swing, std::abs(angle(*look) - last));
+  if (!(swing < 1e-3 * reach)) return std::nullopt;
+  TheoryReport report;
+  report.name = "settled_angle";
+  report.statement = "angle of the free gimbal, in the non-rotating prediction, at which spring, weight and gyroscopic torque balance";
+  report.unit = "rad";
+  report.predicted = gimbals.outer.locked ? rest->inner_rad : rest->outer_rad;
+  report.predicted_error = 1e-14;
+  report.applies = true;
+  report.computed = last;
+  report.computed_error = 2 * swing + 1e-14;
+  return report;
+}
+
 }  // namespace
 
 std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& all_looks,
@@ -220,6 +246,7 @@ std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std
     if (auto report = kept_direction(scene, looks, drift)) reports.push_back(*std::move(report));
     for (TheoryReport& report : slow_swing(scene, looks)) reports.push_back(std::move(report));
   }
+  if (auto report = settled_angle(scene, looks)) reports.push_back(*std::move(report));
   if (auto report = magnus_drift(scene, looks)) reports.push_back(*std::move(report));
   return reports;
 }

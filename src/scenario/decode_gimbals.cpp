@@ -27,8 +27,8 @@ bool decode_ring(const Section& outer, std::optional<BodySpec>& ring) {
   return true;
 }
 
-/// What acts on an axis needs an axis that is free, and dry friction its regularisation.
-void check_bearing(const Section& axis, const BearingSpec& bearing) {
+/// What acts on an axis needs an axis that is free, and dry friction its regularisation. What belongs to a coefficient of 0 is forgotten.
+void check_bearing(const Section& axis, BearingSpec& bearing) {
   constexpr std::string_view kRate = "regularisation_rad_s";
   if (bearing.locked) {
     for (const std::string_view key : {std::string_view("viscous_torque_N_m_s"), std::string_view("coulomb_torque_N_m"), kRate,
@@ -41,10 +41,12 @@ void check_bearing(const Section& axis, const BearingSpec& bearing) {
         kRate,
         "is missing; coulomb_torque_N_m needs the rate below which the torque is proportional to it: give one above 0, "
         "such as 0.01 rad/s");
-  if (bearing.coulomb_torque_N_m == 0 && axis.has(kRate))
+  if (!axis.has("coulomb_torque_N_m") && axis.has(kRate))
     axis.refuse_key(kRate, "belongs to coulomb_torque_N_m, which is not given; leave it out");
-  if (bearing.torsion_N_m_rad == 0 && axis.has("torsion_rest_deg"))
+  if (!axis.has("torsion_N_m_rad") && axis.has("torsion_rest_deg"))
     axis.refuse_key("torsion_rest_deg", "belongs to torsion_N_m_rad, which is not given; leave it out");
+  if (bearing.coulomb_torque_N_m == 0) bearing.regularisation_rad_s = {};
+  if (bearing.torsion_N_m_rad == 0) bearing.torsion_rest_deg = 0;
 }
 
 /// A locked gimbal has no rate.

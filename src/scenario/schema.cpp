@@ -55,21 +55,23 @@ Json solid_rules() {
 }
 
 /// Returns the rules of keys that belong to words.   @param key  that has the word   @param keys  all that belong to one of them
+/// @param left_out  the word that holds where `key` is left out; none where it must not be
 template <class Rows>
-Json rules_of_words(const char* key, const Rows& rows, std::string_view keys) {
+Json rules_of_words(const char* key, const Rows& rows, std::string_view keys, std::string_view left_out = {}) {
   Json rules = Json::array();
   for (const auto& rule : rows) {
     Json properties = Json::object();
     for (const std::string_view one : split_words(keys))
       if (!input::lists(rule.allowed, one)) properties[one] = false;
     rules.push_back(when(key, rule.word, {{"properties", properties}, {"required", split_words(rule.required)}}));
+    if (rule.word == left_out) rules.back()["if"].erase("required");  // and holds where the key is not there
   }
   return rules;
 }
 Json platform_rules() { return rules_of_words("motion", kMotionRules, kMotionKeys); }
 
 Json rotor_rules() {
-  Json rules = rules_of_words("drive", kDriveRules, kDriveKeys);
+  Json rules = rules_of_words("drive", kDriveRules, kDriveKeys, kDriveRules.front().word);
   rules.push_back(when("drive", "table", Json::object(), exactly_one("spin_rad_s|spin_rpm")));
   rules.push_back({{"if", has("coulomb_torque_N_m", {{"exclusiveMinimum", 0}})}, {"then", required("regularisation_rad_s")}});
   return rules;
@@ -129,8 +131,8 @@ Json bearing_rules() {
   const Json bare = none_of("viscous_torque_N_m_s|coulomb_torque_N_m|regularisation_rad_s|torsion_N_m_rad|torsion_rest_deg");
   return Json::array({{{"if", has("locked", {{"const", true}})}, {"then", bare}},
                       {{"if", has("coulomb_torque_N_m", positive)}, {"then", required("regularisation_rad_s")}},
-                      {{"if", required("regularisation_rad_s")}, {"then", has("coulomb_torque_N_m", positive)}},
-                      {{"if", required("torsion_rest_deg")}, {"then", has("torsion_N_m_rad", positive)}}});
+                      {{"if", required("regularisation_rad_s")}, {"then", required("coulomb_torque_N_m")}},
+                      {{"if", required("torsion_rest_deg")}, {"then", required("torsion_N_m_rad")}}});
 }
 Json outer_rules() {
   Json rules = bearing_rules();

@@ -170,6 +170,7 @@ void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) co
   const GimbalInertia inertia = gimbal_inertia(scene);
   TopFigures::OfGimbals& figures = top.gimbals.emplace();
   figures.outer_moment_kg_m2 = inertia.outer, figures.inner_moment_kg_m2 = inertia.inner;
+  if (std::abs(top.spin_rad_s) <= 4 * real::epsilon<double>() * norm(scene.release<double>().w_XB_B)) top.spin_rad_s = 0;
   if ((top.nutation_rad_s = gimbal_nutation(scene))) top.nutation_kind = NutationKind::small_amplitude;
   const double Omega = std::abs(scene.rotation_rate_rad_s()), h = std::abs(gimbal_rotor_momentum(scene));
   // A balanced gyroscope rests along the celestial axis, about which it turns once a sidereal day: that is no place of rest to speak of.

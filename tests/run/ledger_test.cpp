@@ -46,6 +46,11 @@ double expect_closed(Scenario scenario) {
     }
     EXPECT_EQ(result.ledger->observer, observer);
     EXPECT_EQ(result.ledger->entries.size(), result.rows.size());
+    worst = std::max(worst, result.ledger->largest.relative_residual());
+    if (scenario.gimbals) {  // the body's torques and those of the bearings
+      EXPECT_LE(result.ledger->largest.relative_residual(), kLedgerRounding * real::epsilon<double>());
+      continue;
+    }
     const auto model = Scene(scenario).model<double>();
     for (std::size_t i = 0; i < result.rows.size(); ++i) {
       const DriftRow& row = result.rows[i];
@@ -55,7 +60,6 @@ double expect_closed(Scenario scenario) {
       EXPECT_LE(real::hypot(residual_A[0], residual_A[1], residual_A[2]), kLedgerRounding * real::epsilon<double>() * size)
           << row.t_s;
     }
-    worst = std::max(worst, result.ledger->largest.relative_residual());
   }
   return worst;
 }
@@ -92,6 +96,7 @@ TEST(RunLedger, ChangedScenesCloseToRoundOff) {
     scene.site.latitude_deg = -35;
     scene.platform = swinging_platform();
     expect_closed(scene);
+    if (scene.gimbals) continue;  // which need all torques
     scene.effects.coriolis = false;
     expect_closed(scene);
     scene.effects.coriolis = true, scene.effects.centrifugal = scene.effects.transverse = false;

@@ -10,8 +10,12 @@ template <class T>
 class TurnCounter {
  public:
   /// Goes on to the next value of the angle, which must differ from the last by less than half a turn. A turn is counted if the
-  /// straight line between the two points crosses the cut, which is the negative cosine axis.
+  /// straight line between the two points crosses the cut, which is the negative cosine axis. A point that is half a turn away, as
+  /// between two motions through the vertical itself, has no side: it is passed over.
   void follow(T sine, T cosine) {
+    constexpr double kOpposite = 1e-3;  // rad
+    const T along = cosine_ * cosine + sine_ * sine;
+    if (along < T(0) && real::abs(T(cosine_ * sine - cosine * sine_)) < T(-kOpposite) * along) return;
     const bool was_below = sine_ < T(0), is_below = sine < T(0);
     if (was_below != is_below) {
       const T crossing = cosine_ * sine - cosine * sine_;  // where the line meets the cosine axis, times (sine - sine_)
