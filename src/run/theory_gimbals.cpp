@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "earthtop/closed_form/special_cases.hpp"
+#include "earthtop/model/gimbal_equations.hpp"
 #include "run/assessment.hpp"
 #include "scene/gimbal_rest.hpp"
 
@@ -235,6 +236,39 @@ std::optional<TheoryReport> settled_angle(const Scene& scene, const std::vector<
   return report;
 }
 
+/// The angle by which masses turn a body that only turns about an upright axis: Omega sin(latitude) times the integral of I(0)/I - 1.
+std::optional<TheoryReport> turn_by_masses(const Scene& scene, const std::vector<DriftRow>& looks, const DriftSummary& drift) {
+  const Scenario& scenario = scene.scenario();
+  const Model<double>& model = scene.model<double>();
+  const Gimbals<double>& gimbals = model.gimbals;
+  const Bearing<double>& outer = gimbals.outer;
+  if (!masses_move(scenario) || gimbals.has_rotor || scenario.platform || !scenario.effects.plain() || !gimbals.inner.locked ||
+      outer.viscous != 0 || outer.coulomb != 0 || outer.torsion != 0 || gimbals.R_P0(2, 2) != 1 ||
+      scenario.release.rates_relative_to != RatesRelativeTo::laboratory)
+    return std::nullopt;
+  const GimbalPose<double, double> pose{gimbals, real::sin_cos(gimbals.release.outer), real::sin_cos(gimbals.release.inner)};
+  const auto moment = [&](double t) {
+    const CarriedParts<double> parts = carried_parts(model, t);
+    const Vec3<double> a_B = pose.outer_axis_B();
+    return parts.ring.I(2, 2) + a_B.dot(times(parts.body.I, a_B));
+  };
+  constexpr int kPoints = 10'000;
+  const double end = looks.back().t_s, first = moment(0), step = end / kPoints;
+  double angle = 0;
+  for (int i = 0; i < kPoints; ++i) angle += step * (first / moment((i + 0.5) * step) - 1);
+  const double upward = model.W_IL_L[2], turned = scene.rotation_rate_rad_s() * end;
+  TheoryReport report;
+  report.name = "turn_by_masses";
+  report.statement = "angle of the outer gimbal that the Earth's rate about Up makes as the moment of inertia changes";
+  report.unit = "rad";
+  report.predicted = upward * angle;
+  report.predicted_error = std::abs(report.predicted) * (turned * turned + 1e-6);  // the level rate, and the sum
+  report.applies = turned * turned < 0.01;
+  report.computed = drift.outer_angle->final_rad;
+  report.computed_error = drift.outer_angle->bound_rad;
+  return report;
+}
+
 }  // namespace
 
 std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& all_looks,
@@ -243,6 +277,7 @@ std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std
   if (all_looks.size() < 3 || !all_looks.front().gimbals) return reports;
   const std::vector<DriftRow> looks = thinned(all_looks);
   if (scene.rotation_rate_rad_s() != 0) {
+    if (auto report = turn_by_masses(scene, looks, drift)) reports.push_back(*std::move(report));
     if (auto report = kept_direction(scene, looks, drift)) reports.push_back(*std::move(report));
     for (TheoryReport& report : slow_swing(scene, looks)) reports.push_back(std::move(report));
   }

@@ -69,13 +69,26 @@ void tell_period(Told& told, const TheoryReport& theory) {
 }
 
 void tell_middle(Told& told, const TheoryReport& theory) {
-  const double torsion = told.scene.scenario().gimbals->outer.torsion_N_m_rad;
-  told.add(
-      "middle_of_swing",
-      fmt::format("The swing's middle is at an outer angle of {}, {} in this run{}.", angle_text(theory.predicted),
-                  angle_text(*theory.computed),
-                  torsion != 0 ? ", where the tape and the Earth's rotation balance" : ", where the rotor's axis points north"),
+  told.add("middle_of_swing",
+           fmt::format("The swing's middle is at an outer angle of {}, {} in this run, where the torques about the outer axis balance.",
+                       angle_text(theory.predicted), angle_text(*theory.computed)),
       {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
+}
+
+void tell_turn_by_masses(Told& told, const TheoryReport& theory) {
+  told.add("turn_by_masses",
+           fmt::format("Masses that move from or to the outer axis feel the Coriolis force of the Earth's rate about Up, and turn the rest by "
+                       "{}, {} in this run.",
+                       angle_text(theory.predicted), angle_text(*theory.computed)),
+           {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
+}
+
+void tell_settled(Told& told, const TheoryReport& theory) {
+  told.add("settled_angle",
+           fmt::format("Without the Earth's rotation the damper brings the free gimbal to rest at {}, {} in this run; the difference of the "
+                       "two predictions is what the Earth's rate moves it.",
+                       angle_text(theory.predicted), angle_text(*theory.computed)),
+           {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
 /// What would imitate the Earth: a torque, an offset of the centre of mass.
@@ -108,6 +121,8 @@ void tell_with_gimbals(Told& told) {
     if (theory.name == "magnus_drift") tell_magnus(told, theory);
     if (theory.name.ends_with("_period")) tell_period(told, theory);
     if (theory.name == "middle_of_swing") tell_middle(told, theory);
+    if (theory.name == "turn_by_masses") tell_turn_by_masses(told, theory);
+    if (theory.name == "settled_angle") tell_settled(told, theory);
   }
   tell_imitations(told);
 }

@@ -31,7 +31,7 @@ bool allowed_by(const Rows& rows, std::string_view keys, const std::string& word
 bool belongs_to_gimbal(std::string_view key, const Json& given) {
   constexpr std::string_view kOnFreeAxes = "viscous_torque_N_m_s|coulomb_torque_N_m|torsion_N_m_rad|torsion_rest_deg";
   if (input::lists(kOnFreeAxes, key) && given.value("locked", false)) return false;
-  if (key == "torsion_rest_deg") return given.contains("torsion_N_m_rad");
+  if (key == "torsion_rest_deg") return given.value("torsion_N_m_rad", 0.0) != 0;
   return key != "center_of_mass_m" || given.contains("mass_kg");
 }
 

@@ -102,9 +102,12 @@ TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
   for (const std::string_view word : words) {
     RunResult on_table = test::made_up_contact_run();
     on_table.contact->events.resize(4, on_table.contact->events.back());
-    const bool of_rotor = word.find("rotor") != std::string_view::npos;
-    const RunResult result =
-        run_with({std::string(word), {}, 0, 1, "closed form"}, of_rotor ? test::made_up_rotor_run() : std::move(on_table));
+    const auto names = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
+    RunResult made = names("rotor")                               ? test::made_up_rotor_run()
+                     : names("outer_angle") || names("outer_rate") ||
+                             names("inner_angle") || names("inner_rate") ? test::made_up_gimbals_run()
+                                                                  : std::move(on_table);
+    const RunResult result = run_with({std::string(word), {}, 0, 1, "closed form"}, std::move(made));
     const auto check = check_headline(result);
     ASSERT_TRUE(check->computed) << word;
     const bool is_path = word.find('.') != std::string_view::npos;

@@ -147,6 +147,38 @@ inline RunResult made_up_rotor_run(std::size_t rows = 201) {
   return result;
 }
 
+/// The same of a rotor in gimbals; with a centre of mass below them they have a place of rest, else a drift by nutation.
+inline RunResult made_up_gimbals_run(std::size_t rows = 201, bool hangs = false) {
+  RunResult result = made_up_rotor_run(rows);
+  result.scene = testing::changed(result.scene, [hangs](Scenario& s) {
+    s.body.center_of_mass_m = {hangs ? 0.05 : 0, 0, 0};
+    s.rotor->axis = {0, 0, 1};
+    BodySpec& ring = s.gimbals.emplace().ring.emplace();
+    ring.mass_kg = 0.1;
+    testing::set_principal(ring, 1e-4, 1e-4, 1e-4);
+    s.release.gimbals = GimbalReleaseSpec{0, hangs ? 90.0 : 60.0, 0, 0};
+    s.release.spin_rad_s = 0;
+  });
+  result.modelled = result.scene;
+  for (DriftRow& row : result.rows) {
+    const double t = row.t_s;
+    BasicGimbalRow<double>& gimbals = row.gimbals.emplace();
+    gimbals.ref_outer_angle_rad = 0.1 * std::sin(t), gimbals.ref_inner_angle_rad = 1 + 0.1 * std::cos(t);
+    gimbals.ref_outer_rate_rad_s = 0.1 * std::cos(t), gimbals.ref_inner_rate_rad_s = -0.1 * std::sin(t);
+    gimbals.drift_outer_angle_rad = 1e-5 * t, gimbals.drift_inner_angle_rad = -2e-5 * t;
+    gimbals.drift_outer_rate_rad_s = 1e-5, gimbals.drift_inner_rate_rad_s = -2e-5;
+    gimbals.outer_angle_rad = gimbals.ref_outer_angle_rad + gimbals.drift_outer_angle_rad;
+    gimbals.inner_angle_rad = gimbals.ref_inner_angle_rad + gimbals.drift_inner_angle_rad;
+    gimbals.outer_rate_rad_s = gimbals.ref_outer_rate_rad_s + gimbals.drift_outer_rate_rad_s;
+    gimbals.inner_rate_rad_s = gimbals.ref_inner_rate_rad_s + gimbals.drift_inner_rate_rad_s;
+    gimbals.drift_outer_angle_bound_rad = gimbals.drift_inner_angle_bound_rad = 1e-15 * (1 + t * t);
+  }
+  result.drift.outer_angle = {6e-4, 6e-4, 3.6e-12, 60, 3.6e-12};
+  result.drift.inner_angle = {-1.2e-3, 1.2e-3, 3.6e-12, 60, 3.6e-12};
+  result.gimbal_events = {{GimbalEventKind::gimbal_lock_passed, 20.5, 1e-3, 9, 1e-9}};
+  return result;
+}
+
 /// The same with everything that a result may have, and no number of its summary null.
 inline RunResult made_up_full_run() {
   RunResult result = made_up_run_with_ledger(11);

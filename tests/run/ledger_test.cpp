@@ -47,8 +47,8 @@ double expect_closed(Scenario scenario) {
     EXPECT_EQ(result.ledger->observer, observer);
     EXPECT_EQ(result.ledger->entries.size(), result.rows.size());
     worst = std::max(worst, result.ledger->largest.relative_residual());
-    if (scenario.gimbals) {  // the body's torques and those of the bearings
-      EXPECT_LE(result.ledger->largest.relative_residual(), kLedgerRounding * real::epsilon<double>());
+    if (scenario.gimbals) {  // the torques on the body are sums over all parts, of which a few roundings stay
+      EXPECT_LE(result.ledger->largest.relative_residual(), 4 * kLedgerRounding * real::epsilon<double>());
       continue;
     }
     const auto model = Scene(scenario).model<double>();

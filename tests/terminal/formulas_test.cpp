@@ -15,6 +15,7 @@
 #include <numbers>
 #include <optional>
 #include <random>
+#include <ranges>
 #include <regex>
 #include <string>
 #include <vector>
@@ -241,6 +242,26 @@ TEST(Formulas, TheCompassHasThePeriodOfItsMotion) {
       << text;
 }
 
+/// The formula of the drift that nutation makes gives the theory's number, with X and b from rows that are close to each other.
+TEST(Formulas, DriftByNutationIsItsFormula) {
+  Scenario scenario = parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/magnus-drift.json"));
+  scenario.duration_s = 0.5, scenario.output_step_s = 2e-5;
+  const RunResult result = run(scenario);
+  const auto theory = std::ranges::find(result.theory, "magnus_drift", &TheoryReport::name);
+  ASSERT_NE(theory, result.theory.end());
+  const auto [least, most] = std::ranges::minmax(
+      result.rows | std::views::transform([](const DriftRow& row) { return row.gimbals->ref_inner_angle_rad; }));
+  const double X = (most - least) / 2, b = (most + least) / 2, sine = std::sin(b), cosine = std::cos(b);
+  const Model<double>& model = result.scene.model<double>();
+  const double A3 = model.gimbals.ring.I(2, 2), B1 = model.I_BP_B(0, 0), B3 = model.I_BP_B(2, 2);
+  const double h = scenario.rotor->axial_kg_m2 * (scenario.rotor->spin_rad_s + scenario.release.gimbals->outer_rate_rad_s *
+                                                                                  std::cos(model.gimbals.release.inner));
+  const double M0 = A3 + B1 * sine * sine + B3 * cosine * cosine;
+  const double expected = -h * X * X * cosine * (A3 + B3) / (2 * M0 * M0);
+  constexpr double kOfRows = 1e-3;  // how far the extremes of rows are from those of the motion, and the middle from their mean
+  EXPECT_NEAR(theory->predicted, expected, kOfRows * std::abs(expected));
+}
+
 /// A fit's formula is the curve that leaves the residual that is printed with it, and no other a and b leave less.
 TEST(Formulas, FitsAreTheCurvesThatTheirFormulasSay) {
   const testing::TemporaryDirectory directory;
@@ -331,11 +352,17 @@ TEST(Formulas, EveryFormulaOfTheSourcesIsHeld) {
                               "a + b cos({}°)",
                               "a + b ln|{}|",
                               "a |{}|^b",
+                              "-h X^2 cos(b) (A3 + B3)/(2 M0^2)",
+                              "turns with the stars, by |Ω| t = {}",
                               "Ω = {} rad/s; in {} it turns by {} = {:.5g} rad = {}"};
   const char* const without_number[] = {"the Earth's rate times sin(latitude)",
                                         "the Earth's rate times cos(latitude)",   // names of what is estimated
                                         "with (I3 w3)^2 of at least 2 m g l I1",  // a condition
                                         "harmonic: a in a sin(2 pi f t + phase)",
+                                        "harmonic: a in center + a sin(2 pi f t + phase)",
+                                        "circle: s in center + s cos(2 pi f t + phase)",
+                                        "in the bearing's dry friction -T",
+                                        "Equations: dL/dt = L x w + torque in body axes",
                                         "y = a + b sin(x) or a + b cos(x), x in degrees",
                                         "2 pi/60 rad/s each",
                                         "between the two attitudes, 0 to pi",

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "drift/deviation_state.hpp"
 #include "drift/pivot/record_drift.hpp"
@@ -221,12 +222,13 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
 
   /// Whether a rotor turns in the body, and not only masses move in it.
   bool has_rotor() const requires(kGyrostat) { return model_.rotor.axial > T(0); }
-  /// The rotor in both motions, with rates in natural units.
-  RotorState<T> rotor_state(const State& x, T t) const requires(kGyrostat) {
+  /// The rotor in both motions, with rates in natural units; none where there is no rotor.
+  std::optional<RotorState<T>> rotor_state(const State& x, T t) const requires(kGyrostat) {
+    if (!has_rotor()) return std::nullopt;
     const auto inside = inside_both(x, t, drift_state::load_motion(x, drift_state::kReference), drift_state::load_deviation(x));
     const T angle = model_.rotor.spin * t + x[drift_state::kAngle], difference = x[drift_state::kAngleDeviation];
-    return {inside.spin.rot, inside.spin.ref, inside.spin.diff,   angle + model_.epsilon * difference,
-            angle,           difference,      model_.rotor.axis_B};
+    return RotorState<T>{inside.spin.rot, inside.spin.ref, inside.spin.diff,   angle + model_.epsilon * difference,
+                         angle,           difference,      model_.rotor.axis_B};
   }
 
   /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
