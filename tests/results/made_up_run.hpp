@@ -7,6 +7,7 @@
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/inputs.hpp"
 #include "support/changed_scene.hpp"
+#include "support/scenes.hpp"
 
 namespace earthtop::test {
 

@@ -32,9 +32,9 @@ void expect_theory(const RunResult& result, const char* name, double share) {
   SCOPED_TRACE(result.scene.scenario().name + ", " + name);
   const TheoryReport* theory = suspension_theory(result, name);
   ASSERT_NE(theory, nullptr);
-  ASSERT_TRUE(theory->computed);
+  ASSERT_TRUE(theory->computed && theory->computed_error);
   EXPECT_TRUE(theory->applies);
-  const double error = theory->predicted_error + theory->computed_error;
+  const double error = theory->predicted_error + *theory->computed_error;
   EXPECT_LE(std::abs(*theory->computed - theory->predicted), error);
   EXPECT_LE(error, share * std::abs(theory->predicted));
   EXPECT_TRUE(suspension_says(result, name));
