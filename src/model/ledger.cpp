@@ -308,10 +308,11 @@ void LedgerLargest::include(const LedgerRow<double>& row) {
   follow(tau_cent, row.tau_cent_A);
   follow(dL_dt, row.dL_dt_A);
   follow(residual, row.residual_A);
+  follow(bearing, row.bearing_outer_A);
 }
 
 double LedgerLargest::relative_residual() const {
-  const double torque = std::max({tau_phys, tau_cor, tau_trans, tau_cent});
+  const double torque = std::max({tau_phys, tau_cor, tau_trans, tau_cent, bearing});
   return torque > 0 || std::isnan(residual) ? residual / torque : 0;
 }
 

@@ -95,11 +95,9 @@ void tell_settled(Told& told, const TheoryReport& theory) {
 void tell_imitations(Told& told) {
   const Scene& scene = told.scene;
   const double h = std::abs(gimbal_rotor_momentum(scene)), torque = h * told.Omega();
-  const auto& spec = scene.scenario();
   const Gimbals<double>& gimbals = scene.model<double>().gimbals;
   if (h == 0 || gimbals.outer.locked || gimbals.inner.locked) return;
-  const double weight =
-      (scene.body<double>().mass + (spec.gimbals->ring ? spec.gimbals->ring->mass_kg : 0)) * scene.site().gravity_m_s2;
+  const double weight = scene.body<double>().mass * scene.site().gravity_m_s2;  // of body and rotor
   told.add(
       "imitated_by",
       weight > 0

@@ -180,8 +180,7 @@ void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) co
     figures.outer_rest_rad = rest->outer_rad, figures.inner_rest_rad = rest->inner_rad;
   }
   if (top.nutation_rad_s && h > 0 && Omega > 0) {
-    const double ring = scenario.gimbals->ring ? scenario.gimbals->ring->mass_kg : 0;
-    const double weight = (scene.body<double>().mass + ring) * scene.site().gravity_m_s2;
+    const double weight = scene.body<double>().mass * scene.site().gravity_m_s2;  // of body and rotor
     figures.earth_torque_N_m = h * Omega;
     if (weight > 0) figures.earth_offset_m = h * Omega / weight;
     const double cosine = std::abs(real::cos(scene.model<double>().gimbals.release.inner));

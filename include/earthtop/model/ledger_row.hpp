@@ -54,6 +54,7 @@ struct LedgerLargest {
   double tau_cent = 0;
   double dL_dt = 0;
   double residual = 0;
+  double bearing = 0;  ///< of the support on the outer gimbal, which stands beside the torques
 
   void include(const LedgerRow<double>& row);
   /// The largest residual over the largest of all torques; 0 if there is no torque at all.
