@@ -69,10 +69,12 @@ void tell_period(Told& told, const TheoryReport& theory) {
 }
 
 void tell_middle(Told& told, const TheoryReport& theory) {
+  const auto known = [](double angle, double error) { return angle_text(std::abs(angle) <= error ? 0 : angle); };
+  constexpr double kRoundOff = 1e-15;  // rad
   told.add("middle_of_swing",
            fmt::format("The swing's middle is at an outer angle of {}, {} in this run, where the torques about the outer axis balance.",
-                       angle_text(theory.predicted), angle_text(*theory.computed)),
-      {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
+                       known(theory.predicted, kRoundOff), known(*theory.computed, theory.computed_error.value_or(0))),
+           {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
 void tell_turn_by_masses(Told& told, const TheoryReport& theory) {

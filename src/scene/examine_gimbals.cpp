@@ -166,7 +166,6 @@ std::optional<std::string> SuspensionLaws::refuse(const MethodRow& row, const Sc
 }
 
 void SuspensionLaws::add_figures(TopFigures& top, const Scene& scene, double) const {
-  const Scenario& scenario = scene.scenario();
   const GimbalInertia inertia = gimbal_inertia(scene);
   TopFigures::OfGimbals& figures = top.gimbals.emplace();
   figures.outer_moment_kg_m2 = inertia.outer, figures.inner_moment_kg_m2 = inertia.inner;

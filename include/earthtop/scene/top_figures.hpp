@@ -63,8 +63,8 @@ struct TopFigures {
     double outer_moment_kg_m2 = 0, inner_moment_kg_m2 = 0;  ///< about both axes, without the rotor's axial moment
     /// Periods of small swings about the place of rest on the rotating Earth, and this place (s, rad); none where there is none near.
     std::optional<double> slow_period_s, fast_period_s, outer_rest_rad, inner_rest_rad;
-    /// What would turn the rotor's axis as fast as the Earth turns: a torque, an offset of the centre of all masses, and by its drift a
-    /// nutation (rad); none without a rotor, where a gimbal is locked, or where the theory does not hold.
+    /// What would turn the rotor's axis as fast as the Earth turns: a torque, an offset of the centre of mass of body and rotor, and by its
+    /// drift a nutation (rad); none without a rotor, where a gimbal is locked, or where the theory does not hold.
     std::optional<double> earth_torque_N_m, earth_offset_m, earth_nutation_rad;
   };
   std::optional<OfGimbals> gimbals = {};
