@@ -26,15 +26,16 @@ void check_rotor_drive(const Section& rotor, const RotorSpec& spec) {
   }
 }
 
-void check_rotor_friction(const Section& rotor, const RotorSpec& spec) {
+void check_rotor_friction(const Section& rotor, RotorSpec& spec) {
   constexpr std::string_view kRate = "regularisation_rad_s";
   if (spec.coulomb_torque_N_m != 0 && !rotor.has(kRate))
     rotor.missing(
         kRate,
         "is missing; coulomb_torque_N_m needs the rate below which the torque is proportional to it: give one above 0, such "
         "as 1 rad/s");
-  if (spec.coulomb_torque_N_m == 0 && rotor.has(kRate) && spec.drive == RotorDrive::none)
+  if (!rotor.has("coulomb_torque_N_m") && rotor.has(kRate) && spec.drive == RotorDrive::none)
     rotor.refuse_key(kRate, "belongs to coulomb_torque_N_m, which is not given; leave it out");
+  if (spec.coulomb_torque_N_m == 0) spec.regularisation_rad_s = 0;  // so that a study may begin at 0
 }
 
 void check_rotor_moments(const Section& rotor, const RotorSpec& spec) {

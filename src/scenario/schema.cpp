@@ -74,6 +74,7 @@ Json rotor_rules() {
   Json rules = rules_of_words("drive", kDriveRules, kDriveKeys, kDriveRules.front().word);
   rules.push_back(when("drive", "table", Json::object(), exactly_one("spin_rad_s|spin_rpm")));
   rules.push_back({{"if", has("coulomb_torque_N_m", {{"exclusiveMinimum", 0}})}, {"then", required("regularisation_rad_s")}});
+  rules.push_back({{"if", required("regularisation_rad_s")}, {"then", required("coulomb_torque_N_m")}});
   return rules;
 }
 

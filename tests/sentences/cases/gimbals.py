@@ -212,6 +212,13 @@ def middle(text):
     return near((said, at), within=1e-5) and near((computed, sum(angles) / len(angles)), within=5e-3) and near((computed, at), within=5e-3)
 
 
+def turns(text):
+    """Both angles are that of the last row."""
+    found = re.search(r"turn the rest by (-?[0-9.]+)(°|″), (-?[0-9.]+)(°|″) in this run", text)
+    last = rows(text)[-1]["drift_outer_angle_rad"]
+    return near((float(found[1]) * UNITS[found[2]], last), (float(found[3]) * UNITS[found[4]], last), within=1e-4)
+
+
 def off_balance(text):
     """Without the Earth the weight of a body, off by so much that the centre of all masses is off by what is said, turns the outer gimbal
     as fast as the Earth turns."""
@@ -280,6 +287,8 @@ THEORY = [
                " that is off by 8e-06 m."], FOUCAULT, set=OFF, page=ROWS, holds=off_balance, unless={"/gimbals/inner/locked": True}),
     Case(RUN, "A torque of 6.3e-05 N m across the rotor's axis would turn it as fast as the Earth. ", MAGNUS, set=NO_WEIGHT,
          holds=lambda text: near((of(MAGNUS)["h"] * OMEGA, 6.3e-5), within=1e-2), unless={"/site/gravity_m_s2": 9.8}),
+    Case(RUN, ["Masses that move from or to the outer axis feel the Coriolis force of the Earth's rate about Up, and turn the rest by ",
+               " in this run."], "isotomeograph", page=ROWS, holds=turns, unless={"/gimbals/outer/torsion_N_m_rad": 1e-3}),
     Case(RUN, "0.0001 rad of the outer angle passed at t =", "hard/g15-isotomeograph", set=BEAM, page=ROWS,
          holds=passes("drift_outer_angle_rad", 1e-4), unless={"/rotor": ROTOR}),
     Case(RUN, "6e-10 rad of the inner angle passed at t =", RATE_GYRO, set=NO_ROTOR, page=ROWS,
