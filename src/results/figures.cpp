@@ -268,8 +268,7 @@ constexpr auto kDriftMembers = [] {
       of_event(
           compared("gimbal_events.*.bound_s", error, at_event, kFromRows, [](R r, I i) { return r.gimbal_events[i].bound_s; })),
       told("gimbal_events.*.axis_angle_rad", kFromRows, kIsRow, [](R r, I i) { return r.gimbal_events[i].axis_angle_rad; }),
-      told("gimbal_events.*.outer_rate_rad_s", kFromRows, kIsRow,
-           [](R r, I i) { return r.gimbal_events[i].outer_rate_rad_s; }),
+      told("gimbal_events.*.outer_rate_rad_s", kFromRows, kIsRow, [](R r, I i) { return r.gimbal_events[i].outer_rate_rad_s; }),
       // The times at which dry friction brought a motion to rest.
       list("stops", [](R r) { return r.stops.size(); }),
       of_event(

@@ -226,7 +226,8 @@ std::optional<TheoryReport> settled_angle(const Scene& scene, const std::vector<
   if (!(swing < 1e-3 * reach)) return std::nullopt;
   TheoryReport report;
   report.name = "settled_angle";
-  report.statement = "angle of the free gimbal, in the non-rotating prediction, at which spring, weight and gyroscopic torque balance";
+  report.statement =
+      "angle of the free gimbal, in the non-rotating prediction, at which spring, weight and gyroscopic torque balance";
   report.unit = "rad";
   report.predicted = gimbals.outer.locked ? rest->inner_rad : rest->outer_rad;
   report.predicted_error = 1e-14;

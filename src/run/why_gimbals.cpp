@@ -72,25 +72,29 @@ void tell_middle(Told& told, const TheoryReport& theory) {
   const auto known = [](double angle, double error) { return angle_text(std::abs(angle) <= error ? 0 : angle); };
   constexpr double kRoundOff = 1e-15;  // rad
   told.add("middle_of_swing",
-           fmt::format("The swing's middle is at an outer angle of {}, {} in this run, where the torques about the outer axis balance.",
-                       known(theory.predicted, kRoundOff), known(*theory.computed, theory.computed_error.value_or(0))),
+           fmt::format(
+               "The swing's middle is at an outer angle of {}, {} in this run, where the torques about the outer axis balance.",
+               known(theory.predicted, kRoundOff), known(*theory.computed, theory.computed_error.value_or(0))),
            {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
 void tell_turn_by_masses(Told& told, const TheoryReport& theory) {
   told.add("turn_by_masses",
-           fmt::format("Masses that move from or to the outer axis feel the Coriolis force of the Earth's rate about Up, and turn the rest by "
+           fmt::format("Masses that move from or to the outer axis feel the Coriolis force of the Earth's rate about Up, and "
+                       "turn the rest by "
                        "{}, {} in this run.",
                        angle_text(theory.predicted), angle_text(*theory.computed)),
            {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
 void tell_settled(Told& told, const TheoryReport& theory) {
-  told.add("settled_angle",
-           fmt::format("Without the Earth's rotation the damper brings the free gimbal to rest at {}, {} in this run; the difference of the "
-                       "two predictions is what the Earth's rate moves it.",
-                       angle_text(theory.predicted), angle_text(*theory.computed)),
-           {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
+  told.add(
+      "settled_angle",
+      fmt::format(
+          "Without the Earth's rotation the damper brings the free gimbal to rest at {}, {} in this run; the difference of the "
+          "two predictions is what the Earth's rate moves it.",
+          angle_text(theory.predicted), angle_text(*theory.computed)),
+      {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
 /// What would imitate the Earth: a torque, an offset of the centre of mass.

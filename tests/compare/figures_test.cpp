@@ -99,8 +99,8 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
     *balances = {ContactBalance{1, 3, 1.5, 0.5, 4}, ContactBalance{10, 7, -2, -1, 8}};
   RunResult partly = full;
   partly.sensitivities->inputs[2].unavailable = "a reason";
-  for (const RunResult& result : {full, other, braked, partly, contact, test::made_up_rotor_run(),
-                                  test::made_up_gimbals_run(), test::made_up_gimbals_run(11, true)}) {
+  for (const RunResult& result : {full, other, braked, partly, contact, test::made_up_rotor_run(), test::made_up_gimbals_run(),
+                                  test::made_up_gimbals_run(11, true)}) {
     OrderedJson summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const OrderedJson&) { written.insert(find_member(path)); });
   }
@@ -141,7 +141,10 @@ TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
          return named(path,
                       {"reason", "verdict_reason", "why", "text", "numbers", "notes", "left_out", "applies", "mean_of_window"});
        }},
-      {"it belongs to a row, and the rows are compared", [&](Path path) { return under(path, {"drift.reliable.", "gimbal_events."}); }},
+      {"it belongs to a row, and the rows are compared",
+       [&](Path path) {
+         return under(path, {"drift.reliable.", "gimbal_events."});
+       }},
       {"of two nearly equal values either may be the largest",
        [&](Path path) { return other_is_compared(path, "_at_s", "_rad") || other_is_compared(path, "_at_s", "_m"); }},
       {"the value that it belongs to is compared", [&](Path path) { return other_is_compared(path, "_bound", ""); }},

@@ -143,7 +143,7 @@ TEST(SuspensionTheory, MagnusDriftIsThatOfTheQuadrature) {
     const auto report = std::ranges::find(result.theory, "magnus_drift", &TheoryReport::name);
     ASSERT_NE(report, result.theory.end()) << inner_rate;
     EXPECT_NEAR(report->predicted, formula, 2e-3 * std::abs(formula))
-        << inner_rate;  // its amplitude is that of the run, not of the limit
+        << inner_rate;                // its amplitude is that of the run, not of the limit
     constexpr double kDigits = 1e-5;  // of the quadrature's last one
     EXPECT_NEAR(*report->computed, quadrature, kDigits * std::abs(quadrature) + *report->computed_error) << inner_rate;
     EXPECT_LE(*report->computed_error, 1e-2 * std::abs(quadrature)) << inner_rate;  // so that the line above can fail

@@ -103,10 +103,10 @@ TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
     RunResult on_table = test::made_up_contact_run();
     on_table.contact->events.resize(4, on_table.contact->events.back());
     const auto names = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
-    RunResult made = names("rotor")                               ? test::made_up_rotor_run()
-                     : names("outer_angle") || names("outer_rate") ||
-                             names("inner_angle") || names("inner_rate") ? test::made_up_gimbals_run()
-                                                                  : std::move(on_table);
+    RunResult made = names("rotor") ? test::made_up_rotor_run()
+                     : names("outer_angle") || names("outer_rate") || names("inner_angle") || names("inner_rate")
+                         ? test::made_up_gimbals_run()
+                         : std::move(on_table);
     const RunResult result = run_with({std::string(word), {}, 0, 1, "closed form"}, std::move(made));
     const auto check = check_headline(result);
     ASSERT_TRUE(check->computed) << word;

@@ -43,8 +43,8 @@ void expect_theory(const RunResult& result, const char* name, double share) {
 TEST(GimbalReports, TheoryHoldsAndIsTold) {
   expect_theory(suspension_run("magnus-drift"), "magnus_drift", 1e-4);
   expect_theory(suspension_run("gyrocompass-in-gimbals"), "compass_period", 0.01);
-  expect_theory(suspension_run("gyrocompass-in-gimbals", {{"/motion/duration_s", "60"}, {"/motion/output_step_s", "60"}}), "compass_period",
-                0.01);
+  expect_theory(suspension_run("gyrocompass-in-gimbals", {{"/motion/duration_s", "60"}, {"/motion/output_step_s", "60"}}),
+                "compass_period", 0.01);
   Scenario still = suspension_run("rate-gyro-on-turntable").scene.scenario();
   still.platform.reset();  // on a platform a run says nothing of why
   still.release.gimbals->inner_angle_deg = 80;
@@ -54,7 +54,8 @@ TEST(GimbalReports, TheoryHoldsAndIsTold) {
 
 // A theory that does not apply is not printed.
 TEST(GimbalReports, NoTheoryWhereNoneApplies) {
-  const RunResult braked = suspension_run("magnus-drift", {{"/gimbals/inner/viscous_torque_N_m_s", "1e-4"}, {"/motion/duration_s", "0.5"}});
+  const RunResult braked =
+      suspension_run("magnus-drift", {{"/gimbals/inner/viscous_torque_N_m_s", "1e-4"}, {"/motion/duration_s", "0.5"}});
   EXPECT_EQ(suspension_theory(braked, "magnus_drift"), nullptr);
   EXPECT_FALSE(suspension_says(braked, "magnus_drift"));
   const RunResult early = suspension_run("rate-gyro-on-turntable", {{"/motion/duration_s", "0.1"}});
@@ -69,7 +70,8 @@ TEST(GimbalReports, AzimuthThroughTheVerticalIsThatOfTheOuterGimbal) {
     const RunResult result = suspension_run("through-gimbal-lock", {{"/motion/output_step_s", step_s}});
     const DriftRow& last = result.rows.back();
     ASSERT_TRUE(last.drift_azimuth_rad);
-    EXPECT_NEAR(*last.drift_azimuth_rad, -(last.gimbals->outer_angle_rad - last.gimbals->ref_outer_angle_rad), 1e-12);  // 1e-8 of the drift
+    EXPECT_NEAR(*last.drift_azimuth_rad, -(last.gimbals->outer_angle_rad - last.gimbals->ref_outer_angle_rad),
+                1e-12);  // 1e-8 of the drift
   }
 }
 
@@ -79,14 +81,14 @@ TEST(GimbalReports, WhatImitatesTheEarthDoes) {
   const TopFigures top = result.scene.top();
   ASSERT_TRUE(top.gimbals && top.gimbals->earth_torque_N_m && top.gimbals->earth_offset_m && top.gimbals->earth_nutation_rad);
   const double Omega = result.scene.rotation_rate_rad_s(), h = 7.8e-4 * 1100;
-  EXPECT_NEAR(*top.gimbals->earth_torque_N_m, h * Omega, 1e-9 * h * Omega);  // roundings
+  EXPECT_NEAR(*top.gimbals->earth_torque_N_m, h * Omega, 1e-9 * h * Omega);               // roundings
   EXPECT_NEAR(*top.gimbals->earth_offset_m, h * Omega / ((0.2 + 0.6) * 9.80925), 1e-12);  // 1e-6 of it
   const double X = *top.gimbals->earth_nutation_rad;
   const double nutation = top.nutation_rad_s.value();
   // The release whose nutation is X: an inner rate of X times the rate of nutation.
   const RunResult imitated = suspension_run("magnus-drift", {{"/release/outer_rate_rad_s", "0"},
-                                                     {"/release/inner_rate_rad_s", std::to_string(X * nutation)},
-                                                     {"/motion/duration_s", "2"}});
+                                                             {"/release/inner_rate_rad_s", std::to_string(X * nutation)},
+                                                             {"/motion/duration_s", "2"}});
   const TheoryReport* theory = suspension_theory(imitated, "magnus_drift");
   ASSERT_NE(theory, nullptr);
   constexpr double kNextOrder = 0.01;

@@ -122,13 +122,15 @@ TEST(GimbalRules, AnglesBelongToGimbals) {
 
 // A study may begin at a coefficient of 0; what belongs to it is then forgotten.
 TEST(GimbalRules, CoefficientMayBeZero) {
-  const BearingSpec spring = parse_scene({"gimbals.json", kScene}, {{"/gimbals/outer/torsion_N_m_rad", "0"},
-                                                                   {"/gimbals/outer/torsion_rest_deg", "5"}})
-                                 .scenario().gimbals->outer;
+  const BearingSpec spring =
+      parse_scene({"gimbals.json", kScene}, {{"/gimbals/outer/torsion_N_m_rad", "0"}, {"/gimbals/outer/torsion_rest_deg", "5"}})
+          .scenario()
+          .gimbals->outer;
   EXPECT_EQ(spring.torsion_rest_deg, 0);
   const BearingSpec friction = parse_scene({"gimbals.json", kScene}, {{"/gimbals/inner/coulomb_torque_N_m", "0"},
-                                                                     {"/gimbals/inner/regularisation_rad_s", "0.1"}})
-                                   .scenario().gimbals->inner;
+                                                                      {"/gimbals/inner/regularisation_rad_s", "0.1"}})
+                                   .scenario()
+                                   .gimbals->inner;
   EXPECT_EQ(friction.regularisation_rad_s, 0);
 }
 

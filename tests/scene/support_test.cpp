@@ -103,7 +103,8 @@ TEST(Support, ItsChecksAreItsOwn) {
       "is not available with /contact: it is friction of a fixed pivot, a torque without a force; a tip's friction is "
       "/contact/law, "
       "spinning_friction_m and rolling_resistance_m; leave one of the two out",
-      "is not available with /gimbals: it is friction of a pivot, and gimbals have bearings with friction of their own; leave one "
+      "is not available with /gimbals: it is friction of a pivot, and gimbals have bearings with friction of their own; leave "
+      "one "
       "of the two out",
       "is not available with /moving_masses: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available with /rotor: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",

@@ -255,7 +255,7 @@ TEST(Formulas, DriftByNutationIsItsFormula) {
   const Model<double>& model = result.scene.model<double>();
   const double A3 = model.gimbals.ring.I(2, 2), B1 = model.I_BP_B(0, 0), B3 = model.I_BP_B(2, 2);
   const double h = scenario.rotor->axial_kg_m2 * (scenario.rotor->spin_rad_s + scenario.release.gimbals->outer_rate_rad_s *
-                                                                                  std::cos(model.gimbals.release.inner));
+                                                                                   std::cos(model.gimbals.release.inner));
   const double M0 = A3 + B1 * sine * sine + B3 * cosine * cosine;
   const double expected = -h * X * X * cosine * (A3 + B3) / (2 * M0 * M0);
   constexpr double kOfRows = 1e-3;  // how far the extremes of rows are from those of the motion, and the middle from their mean
