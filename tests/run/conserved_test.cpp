@@ -82,7 +82,8 @@ TEST(Conserved, OnATableWithTheirValues) {
 
 TEST(Conserved, AsCriteriaNameIt) {
   EXPECT_EQ(scenario::kInvariants,
-            "jacobi_integral|reference_energy|inertial_spin|rotor_momentum|vertical_momentum|kovalevskaya|goryachev_chaplygin");
+            "jacobi_integral|reference_energy|inertial_spin|rotor_momentum|outer_momentum|vertical_momentum|kovalevskaya|"
+            "goryachev_chaplygin");
   EXPECT_EQ(scenario::kRunNumbers, "jacobi_integral_J|reference_energy_J|critical_spin_rad_s");
 }
 

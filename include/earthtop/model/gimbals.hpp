@@ -23,7 +23,7 @@ struct Bearing {
   T torsion = T(0), rest = T(0);
   EARTHTOP_MEMBERS(locked, viscous, coulomb, regularisation, torsion, rest)
 };
-/// @param S  T, or a pair of T
+/// @tparam S  T, or a pair of T
 template <class T, class S>
 S bearing_torque(const Bearing<T>& bearing, const S& angle, const S& rate) {
   S torque = S(-bearing.viscous) * rate;
