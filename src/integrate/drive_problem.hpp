@@ -36,8 +36,7 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
     std::ranges::sort(joints);
     std::vector<T> merged;
     std::ranges::set_union(drive.joints, joints, std::back_inserter(merged));
-    const auto repeated = std::ranges::unique(merged);
-    merged.erase(repeated.begin(), repeated.end());
+    merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
     drive.joints = std::move(merged);
   };
   for (const PrescribedMotion<T>* motion : {&problem.model.platform.turn, &problem.model.rotor.drive})

@@ -15,6 +15,7 @@
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "run/assessment.hpp"
 #include "run/earth_symbols.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "earthtop/closed_form/special_cases.hpp"
 #include "earthtop/model/gimbal_equations.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "run/assessment.hpp"
 #include "scene/gimbal_rest.hpp"
 

@@ -13,6 +13,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
+#include "earthtop/scenario/support.hpp"
 #include "run/support_reports.hpp"
 #include "run/why_told.hpp"
 

@@ -15,7 +15,6 @@
 #include <numbers>
 #include <optional>
 #include <random>
-#include <ranges>
 #include <regex>
 #include <string>
 #include <vector>
@@ -249,8 +248,9 @@ TEST(Formulas, DriftByNutationIsItsFormula) {
   const RunResult result = run(scenario);
   const auto theory = std::ranges::find(result.theory, "magnus_drift", &TheoryReport::name);
   ASSERT_NE(theory, result.theory.end());
-  const auto [least, most] = std::ranges::minmax(
-      result.rows | std::views::transform([](const DriftRow& row) { return row.gimbals->ref_inner_angle_rad; }));
+  std::vector<double> angles;
+  for (const DriftRow& row : result.rows) angles.push_back(row.gimbals->ref_inner_angle_rad);
+  const auto [least, most] = std::ranges::minmax(angles);
   const double X = (most - least) / 2, b = (most + least) / 2, sine = std::sin(b), cosine = std::cos(b);
   const Model<double>& model = result.scene.model<double>();
   const double A3 = model.gimbals.ring.I(2, 2), B1 = model.I_BP_B(0, 0), B3 = model.I_BP_B(2, 2);
