@@ -2,6 +2,7 @@
 // Checks of a body in a Cardan suspension, its rates, its unit of time and its methods.
 #include <fmt/core.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

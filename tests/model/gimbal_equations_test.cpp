@@ -40,10 +40,11 @@ Moments moments_of(const std::vector<Point>& points) {
 class OfPoints {
  public:
   explicit OfPoints(unsigned seed) : random_(seed) {
+    const auto plain = [&](double least, double most) { return static_cast<double>(number(least, most)); };
     GimbalsSpec spec;
-    spec.axis_tilt_deg = number(0, 180), spec.axis_azimuth_deg = number(-180, 180), spec.axis_skew_deg = number(-30, 30);
-    spec.outer = {false, number(0, 0.2), number(0, 0.2), 0.3, number(0, 2), number(-90, 90)};
-    spec.inner = {false, number(0, 0.2), number(0, 0.2), 0.2, number(0, 2), number(-90, 90)};
+    spec.axis_tilt_deg = plain(0, 180), spec.axis_azimuth_deg = plain(-180, 180), spec.axis_skew_deg = plain(-30, 30);
+    spec.outer = {false, plain(0, 0.2), plain(0, 0.2), 0.3, plain(0, 2), plain(-90, 90)};
+    spec.inner = {false, plain(0, 0.2), plain(0, 0.2), 0.2, plain(0, 2), plain(-90, 90)};
     model_.gimbals = make_gimbals<T>(spec, {}, {}, true);
     for (int i = 0; i < 5; ++i) ring_.push_back(point()), body_.push_back(point());
     Vec3<T> axis(number(-1, 1), number(-1, 1), number(0.2, 1)), across(T(1), T(0), T(0));

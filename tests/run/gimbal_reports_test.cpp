@@ -9,6 +9,7 @@
 
 #include "earthtop/run.hpp"
 #include "earthtop/scenario/scenario.hpp"
+#include "earthtop/scene/top_figures.hpp"
 
 namespace earthtop {
 namespace {

@@ -18,6 +18,16 @@ enum class NutationKind {
   small_amplitude  ///< the release does not nutate: the limit of small amplitudes about its motion
 };
 
+/// Of a Cardan suspension, at the release and without the Earth's rotation.
+struct GimbalFigures {
+  double outer_moment_kg_m2 = 0, inner_moment_kg_m2 = 0;  ///< about both axes, without the rotor's axial moment
+  /// Periods of small swings about the place of rest on the rotating Earth, and this place (s, rad); none where there is none near.
+  std::optional<double> slow_period_s, fast_period_s, outer_rest_rad, inner_rest_rad;
+  /// What would turn the rotor's axis as fast as the Earth turns: a torque, an offset of the centre of mass of body and rotor, and by its
+  /// drift a nutation (rad); none without a rotor, where a gimbal is locked, or where the theory does not hold.
+  std::optional<double> earth_torque_N_m, earth_offset_m, earth_nutation_rad;
+};
+
 /// A figure is empty where its theory does not apply; `left_out` says why. All rates are those of the motion without Earth
 /// rotation and without friction, from the attitude and the rates of the release, which both predictions share.
 struct TopFigures {
@@ -58,15 +68,7 @@ struct TopFigures {
   /// of a point of that circle relative to the circle's centre on axis 3, in whatever direction the rate points (m/s).
   std::optional<double> rim_speed_m_s;
 
-  /// Of a Cardan suspension, at the release and without the Earth's rotation.
-  struct OfGimbals {
-    double outer_moment_kg_m2 = 0, inner_moment_kg_m2 = 0;  ///< about both axes, without the rotor's axial moment
-    /// Periods of small swings about the place of rest on the rotating Earth, and this place (s, rad); none where there is none near.
-    std::optional<double> slow_period_s, fast_period_s, outer_rest_rad, inner_rest_rad;
-    /// What would turn the rotor's axis as fast as the Earth turns: a torque, an offset of the centre of mass of body and rotor, and by its
-    /// drift a nutation (rad); none without a rotor, where a gimbal is locked, or where the theory does not hold.
-    std::optional<double> earth_torque_N_m, earth_offset_m, earth_nutation_rad;
-  };
+  using OfGimbals = GimbalFigures;
   std::optional<OfGimbals> gimbals = {};
 
   std::vector<std::string> left_out;  ///< what does not apply, and why, each a sentence without its full stop
