@@ -69,14 +69,7 @@ inline Scenario any_suspension(std::mt19937_64& random) {
   }
   if (chance(0.5)) s.release.rates_relative_to = RatesRelativeTo::inertial;
   s.duration_s = number(0.1, 0.6), s.output_step_s = s.duration_s / 10;
-  if (chance(0.3)) {
-    PlatformSpec& platform = s.platform.emplace();
-    platform.motion = static_cast<PlatformMotion>(std::uniform_int_distribution<int>(0, 2)(random));
-    platform.axis = {number(-1, 1), number(-1, 1), number(-1, 1)};
-    platform.rate_rad_s = number(-1, 1), platform.acceleration_rad_s2 = number(-1, 1), platform.amplitude_rad = number(0, 0.3);
-    platform.frequency_hz = number(0.2, 2);
-    platform.pivot_offset_m = {number(-1, 1), number(-1, 1), number(-1, 1)};
-  }
+  if (chance(0.3)) s.platform = any_platform(random);
   if (chance(0.4)) {
     const int masses = std::uniform_int_distribution<int>(1, 3)(random);
     for (int i = 0; i < masses; ++i) {

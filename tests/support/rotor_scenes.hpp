@@ -32,6 +32,18 @@ inline Scenario by_general_model(Scenario s) {
   return s;
 }
 
+/// A platform that turns steadily, ever faster or to and fro, about any axis, with the pivot off it.
+inline PlatformSpec any_platform(std::mt19937_64& random) {
+  const auto number = [&](double least, double most) { return std::uniform_real_distribution<double>(least, most)(random); };
+  PlatformSpec platform;
+  platform.motion = static_cast<PlatformMotion>(std::uniform_int_distribution<int>(0, 2)(random));
+  platform.axis = {number(-1, 1), number(-1, 1), number(-1, 1)};
+  platform.rate_rad_s = number(-1, 1), platform.acceleration_rad_s2 = number(-1, 1), platform.amplitude_rad = number(0, 0.3);
+  platform.frequency_hz = number(0.2, 2);
+  platform.pivot_offset_m = {number(-1, 1), number(-1, 1), number(-1, 1)};
+  return platform;
+}
+
 /// A cage of any shape with a rotor on any axis, with any bearing or drive.
 inline Scenario any_gyrostat(std::mt19937_64& random) {
   const auto number = [&](double least, double most) { return std::uniform_real_distribution<double>(least, most)(random); };
@@ -62,14 +74,7 @@ inline Scenario any_gyrostat(std::mt19937_64& random) {
       table.t_s.push_back(s.duration_s * k / 7), table.value.push_back(number(-1, 1) * rotor.spin_rad_s);
     rotor.table.rows = std::make_shared<const AngleTable>(std::move(table));
   }
-  if (number(0, 1) < 0.3) {
-    PlatformSpec& platform = s.platform.emplace();
-    platform.motion = static_cast<PlatformMotion>(std::uniform_int_distribution<int>(0, 2)(random));
-    platform.axis = {number(-1, 1), number(-1, 1), number(-1, 1)};
-    platform.rate_rad_s = number(-1, 1), platform.acceleration_rad_s2 = number(-1, 1), platform.amplitude_rad = number(0, 0.3);
-    platform.frequency_hz = number(0.2, 2);
-    platform.pivot_offset_m = {number(-1, 1), number(-1, 1), number(-1, 1)};
-  }
+  if (number(0, 1) < 0.3) s.platform = any_platform(random);
   return s;
 }
 
