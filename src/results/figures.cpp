@@ -260,7 +260,7 @@ constexpr auto kDriftMembers = [] {
       compared("growth_of_disturbances.round_off_grown_s", error, span, kAtEnd,
                [](R r) { return r.verdict.round_off_grown_s; }),
       compared("growth_of_disturbances.earth_grown_s", time, span, kAtEnd, [](R r) { return r.verdict.earth_grown_s; }),
-      // What happened to a Cardan suspension on its way.
+      // The events of a Cardan suspension on its way.
       list("gimbal_events", [](R r) { return r.gimbal_events.size(); }),
       of_event(compared("gimbal_events.*.type", word, at_event, kFromRows,
                         [](R r, I i) { return to_string(r.gimbal_events[i].kind); })),

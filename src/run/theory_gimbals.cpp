@@ -81,16 +81,19 @@ double reference_outer(const DriftRow& row) { return row.gimbals->ref_outer_angl
 double reference_inner(const DriftRow& row) { return row.gimbals->ref_inner_angle_rad; }
 double rotating_outer(const DriftRow& row) { return row.gimbals->outer_angle_rad; }
 
+/// The moment about the outer axis at an inner angle, without skew and products.
+double outer_moment(const Model<double>& model, double inner) {
+  const double sine = real::sin(inner), cosine = real::cos(inner);
+  return model.gimbals.ring.I(2, 2) + model.I_BP_B(0, 0) * sine * sine + model.I_BP_B(2, 2) * cosine * cosine;
+}
+
 /// The rate of nutation of a balanced suspension without the Earth, by quadrature between both turning points of the inner angle:
 ///   N beta'^2 = 2 E - (p_a - h cos(beta))^2 / M(beta)
 std::optional<double> nutation_rate(const Scene& scene) {
   const Model<double>& model = scene.model<double>();
   const GimbalAngles<double>& at = model.gimbals.release;
-  const double h = gimbal_rotor_momentum(scene), across = model.I_BP_B(0, 0), along = model.I_BP_B(2, 2);
-  const auto moment = [&](double inner) {
-    const double sine = real::sin(inner), cosine = real::cos(inner);
-    return model.gimbals.ring.I(2, 2) + across * sine * sine + along * cosine * cosine;
-  };
+  const double h = gimbal_rotor_momentum(scene);
+  const auto moment = [&](double inner) { return outer_moment(model, inner); };
   const double N = model.I_BP_B(1, 1), p_ring = moment(at.inner) * at.outer_rate;
   const auto left = [&](double inner) {  // p_a - h cos(beta)
     return p_ring + 2 * h * real::sin((inner + at.inner) / 2) * real::sin((inner - at.inner) / 2);
@@ -132,9 +135,8 @@ std::optional<TheoryReport> magnus_drift(const Scene& scene, const std::vector<D
   constexpr double kSmallest = 1e-9;  // rad: less is rounding
   if (!(X > kSmallest) || !(inner->rest < 0.1 * X)) return std::nullopt;
   const Model<double>& model = scene.model<double>();
-  const Mat3<double>&ring = model.gimbals.ring.I, &body = model.I_BP_B;
   const double sine = real::sin(b), cosine = real::cos(b);
-  const double axial = ring(2, 2) + body(2, 2), M0 = ring(2, 2) + body(0, 0) * sine * sine + body(2, 2) * cosine * cosine;
+  const double axial = model.gimbals.ring.I(2, 2) + model.I_BP_B(2, 2), M0 = outer_moment(model, b);
   TheoryReport report;
   report.name = "magnus_drift";
   report.statement =

@@ -97,7 +97,7 @@ void tell_settled(Told& told, const TheoryReport& theory) {
       {{"predicted_rad", theory.predicted}, {"computed_rad", *theory.computed}});
 }
 
-/// What would imitate the Earth: a torque, an offset of the centre of mass.
+/// Tells which torque, and which offset of the centre of mass, would imitate the Earth.
 void tell_imitations(Told& told) {
   const Scene& scene = told.scene;
   const double h = std::abs(gimbal_rotor_momentum(scene)), torque = h * told.Omega();

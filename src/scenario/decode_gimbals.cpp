@@ -27,7 +27,8 @@ bool decode_ring(const Section& outer, std::optional<BodySpec>& ring) {
   return true;
 }
 
-/// What acts on an axis needs an axis that is free, and dry friction its regularisation. What belongs to a coefficient of 0 is forgotten.
+/// An axis needs to be free for a torque to act on it, and dry friction needs its regularisation. A key that belongs to a coefficient of
+/// 0 is forgotten.
 void check_bearing(const Section& axis, BearingSpec& bearing) {
   constexpr std::string_view kRate = "regularisation_rad_s";
   if (bearing.locked) {

@@ -56,7 +56,7 @@ PathDemand demand_of(const MovingMassSpec& mass) {
   return path;
 }
 
-/// What the masses that move in a body may add to it.
+/// The most that masses which move in a body may add to it.
 struct MassesDemand : MassesPace {
   Mat3<double> least_inertia_B;  ///< of the body without them
 

@@ -17,7 +17,7 @@ class Suspension : public ::testing::TestWithParam<Observer> {};
 TEST_P(Suspension, MeetsItsReferences) {
   for (const nlohmann::json& reference : testing::gimbal_references().at("cases")) {
     const testing::GimbalErrors errors = testing::gimbal_errors<double>(reference, GetParam(), 1e-14);
-    // What a run in double promises: 1e-11 of a motion, 1e-9 of the drift, which is 1e-12 of a thousandth of it.
+    // A run in double promises 1e-11 of a motion, 1e-9 of the drift, which is 1e-12 of a thousandth of it.
     EXPECT_LT(errors.motion, 1e-11) << reference.at("name");
     EXPECT_LT(errors.relative_drift, 1e-9) << reference.at("name");  // see above
   }
@@ -165,7 +165,7 @@ TEST(SuspensionGrowth, IsThatOfAnInvertedPendulum) {
   const GrowthReport report =
       disturbance_growth(Scene(s).problem_without_rows<double>(), MotionKind::reference, s.duration_s, 1e-10);
   EXPECT_TRUE(report.completed);
-  // Of the slope between two points of the growth, far enough from the start for the falling part to be gone.
+  // The slope is taken between two points of the growth, far enough from the start for the falling part to be gone.
   const auto settled = std::ranges::find_if(report.rises, [](const GrowthPoint& point) { return point.log_growth > 5; });
   ASSERT_NE(settled, report.rises.end());
   const GrowthPoint& last = report.rises.back();

@@ -27,7 +27,7 @@ struct Contact {
   bool released_rolling = false;  ///< else the tip's centre is released at rest
 };
 
-/// What acts between two parts about the axis on which one turns in the other.
+/// The torques between two parts about the axis on which one turns in the other.
 struct Bearing {
   bool locked = false;
   Real viscous = 0;                      ///< torque over the rate (N m s)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a run says of a body in gimbals beside its numbers: theory, sentences, and what would imitate the Earth.
+// A run says more of a body in gimbals than numbers: theory, sentences, and what would imitate the Earth.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is refused of a scenario with gimbals, with its place and a remedy.
+// Bad scenarios with gimbals are refused, with the place and a remedy.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

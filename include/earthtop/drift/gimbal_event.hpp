@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What happens to a suspension on its way, on the rotating Earth.
+/// An event of a suspension on its way, on the rotating Earth.
 #pragma once
 
 #include <optional>

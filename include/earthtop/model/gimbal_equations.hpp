@@ -44,7 +44,7 @@ Eigen::Matrix<S, kRows, kColumns> over_scalar(const Eigen::Matrix<T, kRows, kCol
   return made;
 }
 
-/// What surrounds a suspension, in the axes P of its carrier.
+/// The surroundings of a suspension, in the axes P of its carrier.
 template <class S>
 struct GimbalSurroundings {
   Vec3<S> turning;                  ///< U

@@ -9,7 +9,7 @@
 
 namespace earthtop {
 
-/// What a mass rides on, in whose axes its path is given: the body, or the outer gimbal.
+/// The part that carries a mass, in whose axes its path is given: the body, or the outer gimbal.
 enum class MassCarrier { body, outer };
 
 enum class MassMotion { fixed, harmonic, circle, waypoints, table };

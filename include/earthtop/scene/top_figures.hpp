@@ -18,7 +18,7 @@ enum class NutationKind {
   small_amplitude  ///< the release does not nutate: the limit of small amplitudes about its motion
 };
 
-/// Of a Cardan suspension, at the release and without the Earth's rotation.
+/// The figures of a Cardan suspension, at the release and without the Earth's rotation.
 struct GimbalFigures {
   double outer_moment_kg_m2 = 0, inner_moment_kg_m2 = 0;  ///< about both axes, without the rotor's axial moment
   /// Periods of small swings about the place of rest on the rotating Earth, and this place (s, rad); none where there is none near.

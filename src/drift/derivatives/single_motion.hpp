@@ -238,7 +238,7 @@ class SuspensionMotion {
       R_PB.row(i) = pose.into_body(pose.into_ring(over_scalar<S>(Vec3<double>(Vec3<double>::Unit(i))))).transpose();
     return {R_PB, motion.w_B, S(0)};
   }
-  /// What the gimbals allow of a disturbance: turns about both axes, and about that of the rotor.
+  /// The disturbances that the gimbals allow: turns about both axes, and about that of the rotor.
   State change(const State& x, const Vec3<double>& theta_B, const Vec3<double>& dw_B) const {
     const Model<double>& model = equations_.model;
     const GimbalPose<double, double> pose{model.gimbals, real::sin_cos(x[0]), real::sin_cos(x[1])};
