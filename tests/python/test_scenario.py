@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import earthtop as et
+from earthtop._scenario import pointer_of
 
 BODY = {"mass_kg": 0.1, "center_of_mass_m": [0, 0, 0.04],
         "inertia": {"about": "pivot", "principal_kg_m2": [2e-4, 2e-4, 5e-5]}}
@@ -137,6 +138,15 @@ def test_the_spin_in_another_unit_replaces_it(tmp_path):
     assert et.load(top.save(tmp_path / "top.json")).canonical == top.changed(name="top").canonical
 
 
+def test_a_bare_name_keeps_its_meaning_beside_the_parts_of_a_top():
+    """What 1.0 understood, before a rotor and gimbals had such keys, too; where only parts have it, all are named."""
+    for name, pointer in (("mass_kg", "/body/mass_kg"), ("spin_rpm", "/release/spin_rpm"), ("frequency_hz", "/platform/frequency_hz"),
+                          ("viscous_torque_N_m_s", "/effects/viscous_torque_N_m_s")):
+        assert pointer_of(name) == pointer
+    with pytest.raises(et.ScenarioError, match="/gimbals/outer/torsion_N_m_rad, /gimbals/inner/torsion_N_m_rad"):
+        pointer_of("torsion_N_m_rad")
+
+
 def test_copies_are_apart():
     top = et.Scenario(SMALL)
     for other in (copy.copy(top), copy.deepcopy(top), top.changed(), pickle.loads(pickle.dumps(top))):
@@ -162,7 +172,7 @@ def test_a_file_keeps_its_text(scenarios, tmp_path):
 
 def test_a_file_is_looked_for_beside_the_scenario(tmp_path):
     (tmp_path / "angles.csv").write_text("t_s,angle_rad\n0,0\n0.4,0.1\n0.7,0.2\n1,0.3\n")
-    content = {**SMALL, "platform": {"motion": "table", "file": "angles.csv"}}
+    content = {**SMALL, "platform": {"motion": "table", "file": "angles.csv", "pivot_offset_m": [0.2, 0, 0]}}
     (tmp_path / "moving.json").write_text(json.dumps(content))
     top = et.load(tmp_path / "moving.json")
     assert et.check(tmp_path / "moving.json") and top.check()

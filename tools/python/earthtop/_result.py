@@ -70,6 +70,14 @@ class Drift(Arrays):
     rotor_angle_rad: np.ndarray
     rotor_axis_rad: np.ndarray
     rotor_axis_bound_rad: np.ndarray
+    rotor_rate_bound_rad_s: np.ndarray
+    rotor_angle_bound_rad: np.ndarray
+    outer_angle_rad: np.ndarray
+    inner_angle_rad: np.ndarray
+    outer_rate_rad_s: np.ndarray
+    inner_rate_rad_s: np.ndarray
+    outer_angle_bound_rad: np.ndarray
+    inner_angle_bound_rad: np.ndarray
 
     def __init__(self, result: "Result") -> None:
         super().__init__(result._quantities, result._texts("trajectory.csv"), "drift_")
@@ -115,6 +123,14 @@ class Result(Pickled):
     ref_rotor_rate_rad_s: np.ndarray
     ref_rotor_angle_rad: np.ndarray
     ref_rotor_axis_L: np.ndarray
+    outer_angle_rad: np.ndarray
+    inner_angle_rad: np.ndarray
+    outer_rate_rad_s: np.ndarray
+    inner_rate_rad_s: np.ndarray
+    ref_outer_angle_rad: np.ndarray
+    ref_inner_angle_rad: np.ndarray
+    ref_outer_rate_rad_s: np.ndarray
+    ref_inner_rate_rad_s: np.ndarray
 
     def __init__(self, files: _Files, quantities: Sequence[Quantity], torques: Sequence[Quantity], *,
                  run: Optional["_core.RunResult"] = None, scenario: Optional[Scenario] = None) -> None:
@@ -161,7 +177,7 @@ class Result(Pickled):
 
     def __getattr__(self, name: str) -> Any:
         if name in Result.__annotations__:
-            raise AttributeError(f"this result has no {name!r}, which only the runs of a top on a table have")
+            raise AttributeError(f"this result has no {name!r}, which only other tops have: on a table, with a rotor or in gimbals")
         raise AttributeError(f"a result has no {name!r}; print(result.rows) lists the quantities of its rows")
 
     # What it says -----------------------------------------------------------------------------------------------------

@@ -46,9 +46,14 @@ def _pointers_of_names() -> Dict[str, Tuple[str, ...]]:
     return table
 
 
+# Their keys are meant by a bare name only where no other section has it: standard errors, which nobody means, and the parts that came
+# after 1.0, before which the name had one meaning.
+_SECOND_SECTIONS = ("uncertainty", "rotor", "gimbals", "moving_masses")
+
+
 def pointer_of(key: str) -> str:
     """The JSON pointer that a user means: ``"/site/latitude_deg"``, ``"site/latitude_deg"``, or the bare name of a key that
-    only one section has.
+    only one section has; ``"mass_kg"``, which a rotor has, too, is the body's.
 
     >>> pointer_of("latitude_deg")
     '/site/latitude_deg'
@@ -58,8 +63,7 @@ def pointer_of(key: str) -> str:
     if "/" in key:
         return key if key.startswith("/") else "/" + key
     found = _pointers_of_names().get(key, ())
-    # A section has the keys of its standard errors, too, which nobody means by the bare name.
-    meant = [pointer for pointer in found if not pointer.startswith("/uncertainty/")] or list(found)
+    meant = [pointer for pointer in found if pointer.split("/")[1] not in _SECOND_SECTIONS] or list(found)
     depth = min((pointer.count("/") for pointer in meant), default=0)
     meant = [pointer for pointer in meant if pointer.count("/") == depth]  # the body's mass, not that of its first part
     if len(meant) == 1:
