@@ -70,4 +70,13 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
                             off < 0 ? "below" : "above");
 }
 
+std::string hint_sentence(const FitHint& hint) {
+  std::string values;
+  for (const FitHint::Value& v : hint.values)
+    values += fmt::format("{}{} = {}{}{}", values.empty() ? "" : " with ", v.name,
+                          with_standard_error(v.value, v.standard_error), v.unit.empty() ? "" : " ", v.unit);
+  return fmt::format("{} would leave chi-squared {:.6g}, to first order; estimate {}", values, hint.chi_squared,
+                     hint.values.size() > 1 ? "them" : "it");
+}
+
 }  // namespace earthtop

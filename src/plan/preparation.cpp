@@ -87,6 +87,13 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
     return EstimatedInputs(source, overrides, scene, names, kMostNumbers);
   };
   inputs_of(numbers.names);  // refuses what cannot be estimated
+  const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
+  for (const InstrumentRow& row : kInstrument) {
+    std::string why;
+    const double known = instrument.standard_error[static_cast<std::size_t>(row.input)];
+    if (known > 0 && !add_prior(numbers, {row.pointer, 1}, known, inputs_of, why))
+      numbers.notes.push_back(note_on_unused(row.pointer, numbers.names, why));
+  }
   const auto& uncertainty = scene.scenario().uncertainty;
   for (std::size_t k = 0; uncertainty && k < kInputs.size(); ++k) {
     if (!((*uncertainty)[k] > 0)) continue;

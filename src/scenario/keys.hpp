@@ -147,6 +147,17 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("file_sha256", platform.table.file_sha256);  // represents the table in the run's identity
 }
 
+// -- instrument
+
+template <class Codec, class S>
+void instrument_keys(Codec& codec, S& instrument) {
+  for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
+    codec.key(kInstrument[i].key(), instrument.value[i]);
+    if (!kInstrument[i].is_sense())
+      codec.sparse(InstrumentRow::key_of(kInstrument[i].standard_error), instrument.standard_error[i]);
+  }
+}
+
 // -- rotor
 
 /// The spin is written in rad/s, and what is off is left out.

@@ -55,7 +55,9 @@ TEST(RotorRate, IsRefusedWithoutARotor) {
     compare_with_measurement(source_of(s), {}, rates(rate_in_cage));
     FAIL();
   } catch (const ScenarioError& error) {
-    EXPECT_NE(std::string(error.what()).find("the rate of a rotor was measured, and the scenario has none"), std::string::npos);
+    EXPECT_NE(std::string(error.what())
+                  .find("rotor_rate was measured, and the scenario has no rotor; give it /rotor, or leave the column out"),
+              std::string::npos);
   }
   MeasurementPlan plan;
   plan.quantities = {planned_quantity("rotor_rate_rpm", 1)};
