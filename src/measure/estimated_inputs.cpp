@@ -61,10 +61,8 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 }  // namespace
 
 bool is_estimable(std::string_view pointer) {
-  const auto is_no_datum = [&](const InstrumentRow& row) {
-    return row.standard_error == pointer || (row.is_sense() && row.pointer == pointer);
-  };
-  return field_of(pointer) && std::ranges::none_of(kInstrument, is_no_datum) &&
+  const auto is_error = [&](const InstrumentRow& row) { return row.standard_error == pointer; };
+  return field_of(pointer) && std::ranges::none_of(kInstrument, is_error) &&
          std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
 }
 

@@ -44,8 +44,9 @@ EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, co
   std::vector<std::string> names;
   for (std::size_t j = 0; j < exact.fitted(); ++j) names.push_back(exact.all().list()[j].name);
   for (const InstrumentRow& row : kInstrument) {
-    const bool of_rotor = row.key().starts_with("rotor_"), of_gimbals = row.key().find("er_angle_") != std::string_view::npos;
-    if (row.is_sense() || (of_rotor && !scene.scenario().rotor) || (of_gimbals && !scene.scenario().gimbals)) continue;
+    const std::string_view key = instrument_key(row.pointer);
+    if (key.starts_with("rotor_") && !scene.scenario().rotor) continue;
+    if ((key.starts_with("outer_") || key.starts_with("inner_")) && !scene.scenario().gimbals) continue;
     if (std::ranges::find(names, row.pointer) == names.end()) names.emplace_back(row.pointer);
   }
   return inputs_of(names);
@@ -85,7 +86,9 @@ std::vector<FitHint> hints_of(const MeasurementReport& report, const MatrixXd& J
     }
     hints.push_back(std::move(hint));
   }
-  std::ranges::sort(hints, {}, &FitHint::chi_squared);
+  // Two numbers must leave clearly less than one does.
+  std::ranges::sort(hints, {},
+                    [](const FitHint& hint) { return hint.chi_squared + 4 * static_cast<double>(hint.values.size()); });
   if (hints.size() > kMostHints) hints.resize(kMostHints);
   return hints;
 }

@@ -195,11 +195,8 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
 
 void read_angles(PredictedAxis& axis, const Scenario& scenario) {
   const Instrument instrument = scenario.instrument.value_or(Instrument());
-  const auto read = [&](InstrumentInput zero, InstrumentInput sense, double angle) {
-    return instrument[zero] * kDegree + instrument[sense] * angle;
-  };
-  axis.azimuth_rad = read(InstrumentInput::azimuth_zero, InstrumentInput::azimuth_sense, azimuth_of(axis.n_M));
-  axis.tilt_rad = read(InstrumentInput::tilt_zero, InstrumentInput::tilt_sense, tilt_of(axis.n_M));
+  axis.azimuth_rad = instrument.reading(0, azimuth_of(axis.n_M));
+  axis.tilt_rad = instrument.reading(1, tilt_of(axis.n_M));
 }
 
 namespace {
@@ -221,10 +218,8 @@ void read_by_instrument(PredictedAxis& axis, const Scenario& scenario) {
     if (norm(turn_L) > 0) axis.n_M = turned(axis.n_M, turn_L);
     if (axis.rotor_rate_rad_s)
       *axis.rotor_rate_rad_s = instrument[rotor_rate_bias] + instrument[rotor_rate_scale] * *axis.rotor_rate_rad_s;
-    if (axis.outer_angle_rad)
-      *axis.outer_angle_rad = instrument[outer_angle_zero] * kDegree + instrument[outer_angle_sense] * *axis.outer_angle_rad;
-    if (axis.inner_angle_rad)
-      *axis.inner_angle_rad = instrument[inner_angle_zero] * kDegree + instrument[inner_angle_sense] * *axis.inner_angle_rad;
+    if (axis.outer_angle_rad) *axis.outer_angle_rad = instrument.reading(2, *axis.outer_angle_rad);
+    if (axis.inner_angle_rad) *axis.inner_angle_rad = instrument.reading(3, *axis.inner_angle_rad);
   }
   read_angles(axis, scenario);
 }

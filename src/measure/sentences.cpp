@@ -32,8 +32,8 @@ constexpr SpokenInput kSpokenInputs[] = {
     {"/release/tilt_deg", "the tilt at release"},
     {"/release/azimuth_deg", "the azimuth at release"},
     {"/release/spin_angle_deg", "the spin angle at release"},
-    {"inertia_ratio", "the ratio I3/I1 of the moments"},
-    {"center_of_mass_m", "the distance of the centre of mass"},
+    {"inertia_ratio", "the ratio I3/I1 of the moments about the pivot, with I1 and I2 held,"},
+    {"center_of_mass_m", "the distance of the centre of mass, with the moments about the pivot held,"},
 };
 
 }  // namespace

@@ -88,11 +88,11 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
   };
   inputs_of(numbers.names);  // refuses what cannot be estimated
   const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
-  for (const InstrumentRow& row : kInstrument) {
+  for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
     std::string why;
-    const double known = instrument.standard_error[static_cast<std::size_t>(row.input)];
-    if (known > 0 && !add_prior(numbers, {row.pointer, 1}, known, inputs_of, why))
-      numbers.notes.push_back(note_on_unused(row.pointer, numbers.names, why));
+    const std::string_view input = kInstrument[i].pointer;
+    if (instrument.standard_error[i] > 0 && !add_prior(numbers, {input, 1}, instrument.standard_error[i], inputs_of, why))
+      numbers.notes.push_back(note_on_unused(input, numbers.names, why));
   }
   const auto& uncertainty = scene.scenario().uncertainty;
   for (std::size_t k = 0; uncertainty && k < kInputs.size(); ++k) {

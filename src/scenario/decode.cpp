@@ -73,17 +73,6 @@ bool decode_site(const Section& root, Scenario& scenario) {
   return true;
 }
 
-Instrument decode_instrument(const Section& section) {
-  Instrument instrument;
-  Reading codec(section);
-  instrument_keys(codec, instrument);
-  for (const InstrumentRow& row : kInstrument)
-    if (row.is_sense() && std::abs(instrument[row.input]) != 1) section.refuse(row.key(), "must be 1 or -1");
-  if (instrument[InstrumentInput::rotor_rate_scale] == 0)
-    section.refuse("rotor_rate_scale", "is 0: readings would say nothing");
-  return instrument;
-}
-
 /// Decodes the whole scenario. @returns whether body, release, gravity and contact are known
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
@@ -100,7 +89,10 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);
   scenario.moving_masses = decode_masses(root, source, scenario.duration_s);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
-  if (root.has("instrument")) scenario.instrument = decode_instrument(root.section("instrument"));
+  if (root.has("instrument")) {
+    Reading instrument(root.section("instrument"));
+    instrument_keys(instrument, scenario.instrument.emplace());
+  }
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, scenario);

@@ -371,22 +371,21 @@ constexpr Field kOwnFields[] = {
 };
 
 /// All fields: those above and, at their end, the numbers of an instrument and the standard errors of the inputs.
-constexpr std::size_t kSenses = 4;
 constexpr auto kFields = [] {
-  std::array<Field, std::size(kOwnFields) + 2 * kInstrumentInputs - kSenses + kInputCount> all{};
+  std::array<Field, std::size(kOwnFields) + 2 * kInstrumentInputs + kInstrumentScales + kInputCount> all{};
   std::size_t end = 0;
   for (const Field& field : kOwnFields) all[end++] = field;
   for (const InstrumentRow& row : kInstrument) {
     all[end++] = {row.pointer, number, row.unit, from(row.least, row.most), "", row.fallback, row.doc};
-    if (!row.is_sense())
-      all[end++] = {row.standard_error,
-                    number,
-                    row.unit,
-                    from(0, row.most),
-                    "",
-                    "0",
-                    "standard error of the number above, as it is known beforehand; 0: not stated"};
+    all[end++] = {row.standard_error,
+                  number,
+                  row.unit,
+                  from(0, row.most),
+                  "",
+                  "0",
+                  "standard error of the number above, as it is known beforehand; 0: not stated"};
   }
+  for (const InstrumentScale& scale : kReadScales) all[end++] = {scale.reversed, flag, "", any(), "", "false", scale.doc};
   for (const InputRow& row : kInputs) all[end++] = {row.pointer, number, row.unit, from(0, row.most), "", "0", row.doc};
   return all;
 }();

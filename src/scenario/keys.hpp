@@ -152,10 +152,10 @@ void platform_keys(Codec& codec, S& platform) {
 template <class Codec, class S>
 void instrument_keys(Codec& codec, S& instrument) {
   for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
-    codec.key(kInstrument[i].key(), instrument.value[i]);
-    if (!kInstrument[i].is_sense())
-      codec.sparse(InstrumentRow::key_of(kInstrument[i].standard_error), instrument.standard_error[i]);
+    codec.key(instrument_key(kInstrument[i].pointer), instrument.value[i]);
+    codec.sparse(instrument_key(kInstrument[i].standard_error), instrument.standard_error[i]);
   }
+  for (std::size_t i = 0; i < kInstrumentScales; ++i) codec.key(instrument_key(kReadScales[i].reversed), instrument.reversed[i]);
 }
 
 // -- rotor

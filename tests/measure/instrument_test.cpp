@@ -61,9 +61,9 @@ class InstrumentTest : public test::MeasurementTest {
 TEST_F(InstrumentTest, ReadsAsItsFormulasSay) {
   const Made made{179.5, -1, 90, -1, {0.4, -0.3, 0.2}, 1.3, 1.01};
   const MeasurementReport report = compared(readings(made), {{"/instrument/azimuth_zero_deg", "179.5"},
-                                                             {"/instrument/azimuth_sense", "-1"},
+                                                             {"/instrument/azimuth_reversed", "true"},
                                                              {"/instrument/tilt_zero_deg", "90"},
-                                                             {"/instrument/tilt_sense", "-1"},
+                                                             {"/instrument/tilt_reversed", "true"},
                                                              {"/instrument/turn_east_deg", "0.4"},
                                                              {"/instrument/turn_north_deg", "-0.3"},
                                                              {"/instrument/turn_up_deg", "0.2"},
@@ -195,15 +195,14 @@ TEST_F(InstrumentTest, WhatIsNoInstrumentIsRefused) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
   };
-  refused("/instrument/azimuth_sense", "0.5", "must be 1 or -1");
-  refused("/instrument/azimuth_sense", "2", "must be a number from -1 to 1");
-  refused("/instrument/rotor_rate_scale", "0", "readings would say nothing");
+  refused("/instrument/azimuth_reversed", "1", "must be true or false");
+  refused("/instrument/rotor_rate_scale", "0", "must be a number from 1e-06 to 1e+06");
   refused("/instrument/clock_rate", "0", "must be a number from 0.001 to 1000");
   refused("/instrument/turn_east_deg", "31", "must be a number from -30 to 30");
   refused("/instrument/time_offset_se_s", "-1", "must be a number from 0");
   refused("/instrument/azimuth_zero", "1", "azimuth_zero_deg");
   const Measurement measurement = readings({});
-  EXPECT_THROW(compared(measurement, {}, {"/instrument/azimuth_sense"}), ScenarioError);
+  EXPECT_THROW(compared(measurement, {}, {"/instrument/azimuth_reversed"}), ScenarioError);
   EXPECT_THROW(compared(measurement, {}, {"/instrument/time_offset_se_s"}), ScenarioError);
 }
 
