@@ -44,10 +44,13 @@ add_library(earthtop-workbench
   measure/columns.cpp
   measure/document.cpp
   measure/estimated_inputs.cpp
+  measure/estimation.cpp
   measure/exact_inputs.cpp
   measure/figure.cpp
   measure/file.cpp
   measure/findings.cpp
+  measure/fit_hints.cpp
+  measure/fit_search.cpp
   measure/fitted_scenario.cpp
   measure/influences.cpp
   measure/input_places.cpp

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure/document.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,6 +37,13 @@ Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
           {"sentence", estimate_sentence(estimate, by_scatter)},
           {"finding", finding_json(estimate.finding)},
           {"exact", exact_json(estimate.exact, estimate.said_error(by_scatter))}};
+}
+
+Json hint_json(const FitHint& hint) {
+  Json values = Json::array();
+  for (const FitHint::Value& v : hint.values)
+    values.push_back({{"name", v.name}, {"unit", v.unit}, {"value", v.value}, {"standard_error", v.standard_error}});
+  return {{"inputs", values}, {"chi_squared", hint.chi_squared}, {"sentence", hint_sentence(hint)}};
 }
 
 Json prior_json(const Prior& prior) {
@@ -144,13 +153,14 @@ MeasurementReport measurement_of(const Json& document) {
 
 std::string measurement_json(const MeasurementReport& report) {
   using namespace measure;
-  Json quantities = Json::array(), estimates = Json::array(), residuals = Json::array(), priors = Json::array(),
-       unused_priors = Json::array();
+  Json quantities = Json::array(), estimates = Json::array(), hints = Json::array(), residuals = Json::array(),
+       priors = Json::array(), unused_priors = Json::array();
   for (const auto& [quantity, values] : report.quantities)
     quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
   for (const ParameterEstimate& estimate : report.estimates)
     estimates.push_back(estimate_json(estimate, report.scatters_more()));
   for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
+  for (const FitHint& hint : report.hints) hints.push_back(hint_json(hint));
   for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
   for (const UnusedPrior& prior : report.unused_priors)
     unused_priors.push_back({{"name", prior.name}, {"reason", prior.reason}});
@@ -173,9 +183,13 @@ std::string measurement_json(const MeasurementReport& report) {
        {{"outcome", std::string(to_string(report.fit))},
         {"reason", report.fit_reason},
         {"iterations", report.iterations},
-        {"predictions", report.predictions}}},
+        {"predictions", report.predictions},
+        {"spans", report.search.spans},
+        {"attempts", report.search.attempts},
+        {"minima", report.search.minima}}},
       {"estimates", estimates},
       {"correlation", report.correlation},
+      {"hints", hints},
       {"priors", priors},
       {"unused_priors", unused_priors},
       {"correlation_time_s", report.correlation_time_s > 0 ? Json(report.correlation_time_s) : Json(nullptr)},

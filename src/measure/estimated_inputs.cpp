@@ -32,12 +32,12 @@ constexpr CombinedName kCombinedNames[] = {{"omega_sin_latitude_rad_s", Combined
                                            {"omega_cos_latitude_rad_s", CombinedInput::northward_rate, "rad/s"},
                                            {"inertia_ratio", CombinedInput::inertia_ratio, ""},
                                            {"center_of_mass_m", CombinedInput::center_of_mass, "m"}};
-constexpr std::string_view kRooms[] = {"/site/",    "/earth/",   "/body/",     "/rotor/",   "/gimbals/",
-                                       "/release/", "/contact/", "/platform/", "/effects/", "/moving_masses/"};
+constexpr std::string_view kRooms[] = {"/site/",    "/earth/",    "/body/",    "/rotor/",         "/gimbals/",   "/release/",
+                                       "/contact/", "/platform/", "/effects/", "/moving_masses/", "/instrument/"};
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
     "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, rotor, gimbals, "
-    "moving_masses, release, contact, platform or effects, as /release/azimuth_deg";
+    "moving_masses, release, contact, platform, effects or instrument, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
@@ -50,6 +50,8 @@ const input::Field* field_of(std::string_view pointer) {
 }
 
 double scale_of(double start, std::string_view unit, std::string_view pointer) {
+  for (const InstrumentRow& row : kInstrument)
+    if (row.pointer == pointer) return row.scale;
   if (unit == "deg") return kDegreesPerRad;
   if (unit == "arcsec") return 3600 * kDegreesPerRad;
   if (pointer.ends_with("/rotation_rate_rad_s")) return std::max(std::abs(start), kEarthRateWgs84);
@@ -58,8 +60,9 @@ double scale_of(double start, std::string_view unit, std::string_view pointer) {
 
 }  // namespace
 
-bool is_number_of_motion(std::string_view pointer) {
-  return field_of(pointer) &&
+bool is_estimable(std::string_view pointer) {
+  const auto is_error = [&](const InstrumentRow& row) { return row.standard_error == pointer; };
+  return field_of(pointer) && std::ranges::none_of(kInstrument, is_error) &&
          std::any_of(std::begin(kRooms), std::end(kRooms), [&](auto room) { return pointer.starts_with(room); });
 }
 
@@ -107,8 +110,9 @@ void EstimatedInputs::add(const std::string& name) {
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }
-  const input::Field* field = is_number_of_motion(pointer) ? field_of(pointer) : nullptr;
-  if (!field) refuse_estimate(name, fmt::format("is not a number on which the motion depends; {}", kAllowedNames));
+  const input::Field* field = is_estimable(pointer) ? field_of(pointer) : nullptr;
+  if (!field)
+    refuse_estimate(name, fmt::format("is not a number on which the motion or its readings depend; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.
   ScenarioReport report = examine(document_, {{pointer, start}});

@@ -34,8 +34,8 @@ struct EstimatedInput {
   CombinedInput combined = CombinedInput::none;
 };
 
-/// Whether a JSON pointer leads to a number of the scenario on which the motion depends.
-bool is_number_of_motion(std::string_view pointer);
+/// Whether a JSON pointer leads to a number of the scenario on which the motion, or an instrument's readings of it, depend.
+bool is_estimable(std::string_view pointer);
 
 /// The number at a pointer of a document's tree; none where there is no number.
 std::optional<double> number_in(const input::Node& root, std::string_view pointer);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "error/gsl_errors.hpp"
+#include "measure/fit_hints.hpp"
 #include "measure/known_rate.hpp"
 #include "measure/measured_motion.hpp"
 #include "measure/prediction_problem.hpp"
@@ -16,34 +17,49 @@
 namespace earthtop::measure {
 namespace {
 
-/// The derivatives of the normalised residuals, those of the priors below them, by fitted and exact inputs at the fitted numbers.
-/// @throws ScaledProblem::Stopped
-Eigen::MatrixXd derivatives_by_all(MeasurementReport& report, const Measurement& measurement, const ExactInputs& exact,
-                                   const Whitening& whitening, const Watch& watch) {
-  const std::vector<EstimatedInput>& inputs = exact.all().list();
-  const std::vector<double> times = measured_times(measurement);
-  Trials trials{report.predictions, 1 / expected_derivatives(inputs.size()), 0, {}};
-  FitProblem problem = prediction_problem(exact.all(), measurement, report.residuals, times, watch, trials);
-  problem.whitening = whitening;
-  std::vector<double> u(inputs.size(), 1);
-  for (std::size_t j = 0; j < exact.fitted(); ++j) {
-    u[j] += (*report.estimates[j].estimate - inputs[j].start) / inputs[j].scale;
-    for (const Prior& prior : report.priors)
-      if (prior.input == inputs[j].name) problem.priors.push_back({j, prior.standard_error});
+/// The derivatives of the normalised residuals, those of the priors below them, at the fitted numbers.
+class DerivativesAtFit {
+ public:
+  DerivativesAtFit(MeasurementReport& report, const Measurement& measurement, const Whitening& whitening, const Watch& watch)
+      : report_(report),
+        measurement_(measurement),
+        whitening_(whitening),
+        watch_(watch),
+        times_s_(measured_times(measurement)) {}
+
+  /// By the inputs from `begin` on; the first of them are the fitted ones.   @throws ScaledProblem::Stopped
+  Eigen::MatrixXd by(const EstimatedInputs& inputs, std::size_t begin) {
+    const std::vector<EstimatedInput>& list = inputs.list();
+    const std::size_t fitted = report_.estimates.size();
+    Trials trials{report_.predictions, 1 / expected_derivatives(list.size()), 0, {}};
+    FitProblem problem = prediction_problem(inputs, measurement_, report_.residuals, times_s_, watch_, trials);
+    problem.whitening = whitening_;
+    std::vector<double> u(list.size(), 1);
+    for (std::size_t j = 0; j < fitted; ++j) {
+      u[j] += (*report_.estimates[j].estimate - list[j].start) / list[j].scale;
+      for (const Prior& prior : report_.priors)
+        if (prior.input == list[j].name) problem.priors.push_back({j, prior.standard_error});
+    }
+    ScaledProblem scaled(problem);
+    Eigen::MatrixXd J(scaled.residuals(), list.size() - begin);
+    Eigen::VectorXd column;
+    for (std::size_t j = begin; j < list.size(); ++j) {
+      scaled.derivative(u, j, j < fitted ? ScaledProblem::Step::fine : ScaledProblem::Step::rough, column);
+      J.col(static_cast<Eigen::Index>(j - begin)) = column;
+    }
+    if (problem.priors.empty() || begin > 0) return J;
+    auto of_fitted = J.topLeftCorner(static_cast<Eigen::Index>(report_.residuals.size()), static_cast<Eigen::Index>(fitted));
+    of_fitted = seen_directions(of_fitted).seen_part(of_fitted);
+    return J;
   }
-  ScaledProblem scaled(problem);
-  Eigen::MatrixXd J(scaled.residuals(), inputs.size());
-  Eigen::VectorXd column;
-  for (std::size_t j = 0; j < inputs.size(); ++j) {
-    scaled.derivative(u, j, j < exact.fitted() ? ScaledProblem::Step::fine : ScaledProblem::Step::rough, column);
-    J.col(static_cast<Eigen::Index>(j)) = column;
-  }
-  if (problem.priors.empty()) return J;
-  auto of_fitted =
-      J.topLeftCorner(static_cast<Eigen::Index>(report.residuals.size()), static_cast<Eigen::Index>(exact.fitted()));
-  of_fitted = seen_directions(of_fitted).seen_part(of_fitted);
-  return J;
-}
+
+ private:
+  MeasurementReport& report_;
+  const Measurement& measurement_;
+  const Whitening& whitening_;
+  const Watch& watch_;
+  std::vector<double> times_s_;
+};
 
 /// The part of chi-squared that the misfit of a wrong input may have: what it is above the expected value, and by how much it may
 /// be above that before the p-value counts as too small.
@@ -60,10 +76,15 @@ double most_of_a_misfit(const ChiSquared& fitted) {
 double expected_derivatives(std::size_t inputs) { return 4 * static_cast<double>(inputs); }
 
 void add_findings(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const ExactInputs& exact,
-                  const Whitening& whitening, const Watch& watch) {
+                  const ExactInputs::InputsOf& inputs_of, const Whitening& whitening, const Watch& watch) {
+  DerivativesAtFit derivatives(report, measurement, whitening, watch);
   Eigen::MatrixXd J;
   try {
-    J = derivatives_by_all(report, measurement, exact, whitening, watch);
+    J = derivatives.by(exact.all(), 0);
+    if (report.scatters_more()) {
+      const EstimatedInputs of_instrument = with_instrument(scene, exact, inputs_of);
+      report.hints = hints_of(report, J, exact, of_instrument, derivatives.by(of_instrument, exact.fitted()));
+    }
   } catch (const ScaledProblem::Stopped&) {
     report.fit = FitOutcome::interrupted;
     report.fitted.reset();

@@ -17,6 +17,6 @@ double expected_derivatives(std::size_t inputs);
 /// Fills in the findings of a fit that converged, and the inputs that it took as exact.
 /// @param watch  may end the work early: then the fit is `interrupted`
 void add_findings(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const ExactInputs& exact,
-                  const Whitening& whitening, const Watch& watch);
+                  const ExactInputs::InputsOf& inputs_of, const Whitening& whitening, const Watch& watch);
 
 }  // namespace earthtop::measure

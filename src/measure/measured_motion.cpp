@@ -22,6 +22,8 @@ double azimuth_of(const Vec3<double>& n_L) {
   return horizontal_part(n_L) > 0 ? real::atan2(n_L[0], n_L[1]) : std::numeric_limits<double>::quiet_NaN();
 }
 
+constexpr double kDegree = std::numbers::pi / 180;
+
 /// The angle reduced by whole turns to -pi to pi (rad).
 double folded(double angle) { return std::remainder(angle, kWholeTurn); }
 
@@ -58,12 +60,12 @@ class RowResiduals {
   RowResiduals(const Measurement& measurement, std::vector<MeasurementResidual>& all) : measurement_(measurement), all_(all) {}
 
   void add(const MeasuredValue& value, const PredictedAxis& predicted) {
-    const Vec3<double>& n_L = predicted.n_L;
     switch (value.quantity) {
       case MeasuredQuantity::azimuth:
-        require_azimuth(value, horizontal_part(n_L) > 0);
-        return append(value, "azimuth", value.value, azimuth_of(n_L), folded(value.value - azimuth_of(n_L)));
-      case MeasuredQuantity::tilt: return append(value, "tilt", value.value, tilt_of(n_L), value.value - tilt_of(n_L));
+        require_azimuth(value, !std::isnan(predicted.azimuth_rad));
+        return append(value, "azimuth", value.value, predicted.azimuth_rad, folded(value.value - predicted.azimuth_rad));
+      case MeasuredQuantity::tilt:
+        return append(value, "tilt", value.value, predicted.tilt_rad, value.value - predicted.tilt_rad);
       case MeasuredQuantity::drift_azimuth: {
         require_azimuth(value, predicted.drift_azimuth_rad.has_value());
         const double azimuth = predicted.drift_azimuth_rad.value_or(0);
@@ -82,10 +84,10 @@ class RowResiduals {
         return append(value, to_string(value.quantity), value.value, *there, value.value - *there);
       }
       case MeasuredQuantity::axis: {
-        const Vec3<double> m_L(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
-        const auto [along_tilt, along_azimuth] = turn_to(m_L, n_L);
-        append(value, "axis_tilt", tilt_of(m_L), tilt_of(n_L), along_tilt);
-        return append(value, "axis_azimuth", azimuth_of(m_L), azimuth_of(n_L), along_azimuth);
+        const Vec3<double> m_M(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
+        const auto [along_tilt, along_azimuth] = turn_to(m_M, predicted.n_M);
+        append(value, "axis_tilt", tilt_of(m_M), tilt_of(predicted.n_M), along_tilt);
+        return append(value, "axis_azimuth", azimuth_of(m_M), azimuth_of(predicted.n_M), along_azimuth);
       }
     }
   }
@@ -133,7 +135,7 @@ std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
   std::vector<CurvePoint> points;
   points.reserve(motion.axes.size());
   for (const PredictedAxis& axis : motion.axes)
-    points.push_back({axis.t_s, azimuth_of(axis.n_L), tilt_of(axis.n_L),
+    points.push_back({axis.t_s, axis.azimuth_rad, axis.tilt_rad,
                       drift ? axis.drift_azimuth_rad.value_or(kNotMeasured) : kNotMeasured,
                       drift ? axis.drift_tilt_rad : kNotMeasured, axis.rotor_rate_rad_s.value_or(kNotMeasured),
                       axis.outer_angle_rad.value_or(kNotMeasured), axis.inner_angle_rad.value_or(kNotMeasured)});
@@ -169,7 +171,8 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
-      PredictedAxis axis{sample.state.t_s, rotation_matrix(sample.state.q_LB).col(2), sample.measures.tilt, {}, {}, {}, {}};
+      PredictedAxis axis{.t_s = sample.state.t_s, .n_M = rotation_matrix(sample.state.q_LB).col(2)};
+      axis.drift_tilt_rad = sample.measures.tilt;
       if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
       if (sample.rotor) axis.rotor_rate_rad_s = sample.rotor->rate;
       if (sample.gimbals) axis.outer_angle_rad = sample.gimbals->outer.rot, axis.inner_angle_rad = sample.gimbals->inner.rot;
@@ -184,18 +187,67 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
       integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
   for (const MotionSample<double>& sample : motion.samples)
-    predicted.axes.push_back({sample.t_s, rotation_matrix(sample.q_LB).col(2), 0, {}, {}, {}, {}});
+    predicted.axes.push_back({.t_s = sample.t_s, .n_M = rotation_matrix(sample.q_LB).col(2)});
   return predicted;
 }
 
 }  // namespace
 
+void read_angles(PredictedAxis& axis, const Scenario& scenario) {
+  const Instrument instrument = scenario.instrument.value_or(Instrument());
+  axis.azimuth_rad = instrument.reading(0, azimuth_of(axis.n_M));
+  axis.tilt_rad = instrument.reading(1, tilt_of(axis.n_M));
+}
+
+namespace {
+
+/// A vector v turned by a rotation vector, whose length is the angle (Rodrigues' formula).
+Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& turn) {
+  const double angle = norm(turn);
+  const SinCos<double> part = real::sin_cos(angle);
+  const Vec3<double> axis = turn / angle;
+  return part.cos * v + part.sin * axis.cross(v) + (1 - part.cos) * axis.dot(v) * axis;
+}
+
+/// Replaces a motion's axis in the laboratory, and what else is measured, by what the instrument makes of it.
+void read_by_instrument(PredictedAxis& axis, const Scenario& scenario) {
+  using enum InstrumentInput;
+  if (scenario.instrument) {
+    const Instrument& instrument = *scenario.instrument;
+    const Vec3<double> turn_L = kDegree * Vec3<double>(instrument[turn_east], instrument[turn_north], instrument[turn_up]);
+    if (norm(turn_L) > 0) axis.n_M = turned(axis.n_M, turn_L);
+    if (axis.rotor_rate_rad_s)
+      *axis.rotor_rate_rad_s = instrument[rotor_rate_bias] + instrument[rotor_rate_scale] * *axis.rotor_rate_rad_s;
+    if (axis.outer_angle_rad) *axis.outer_angle_rad = instrument.reading(2, *axis.outer_angle_rad);
+    if (axis.inner_angle_rad) *axis.inner_angle_rad = instrument.reading(3, *axis.inner_angle_rad);
+  }
+  read_angles(axis, scenario);
+}
+
+}  // namespace
+
 PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch) {
-  PredictedMotion predicted = predicted_axes(scene, times_s, drift, watch);
-  if (!is_caged_top(scene.scenario())) return predicted;
-  const CagedTop<double> cage(scene.scenario());
-  for (PredictedAxis& axis : predicted.axes) axis.rotor_rate_rad_s = cage.rotor_rate(axis.t_s);
-  return predicted;
+  const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
+  std::vector<double> motion_times_s = {0};
+  std::vector<std::size_t> places;  // of each time of the clock among those of the motion
+  for (const double t_s : times_s) {
+    const double of_motion_s = instrument.time_of_motion_s(t_s);
+    if (of_motion_s > motion_times_s.back()) motion_times_s.push_back(of_motion_s);
+    places.push_back(motion_times_s.size() - 1);
+  }
+  PredictedMotion motion = predicted_axes(scene, motion_times_s, drift, watch);
+  if (is_caged_top(scene.scenario())) {
+    const CagedTop<double> cage(scene.scenario());
+    for (PredictedAxis& axis : motion.axes) axis.rotor_rate_rad_s = cage.rotor_rate(axis.t_s);
+  }
+  for (PredictedAxis& axis : motion.axes) read_by_instrument(axis, scene.scenario());
+  PredictedMotion read{motion.status, {}, motion.end};
+  read.axes.reserve(times_s.size());
+  for (std::size_t k = 0; k < times_s.size() && places[k] < motion.axes.size(); ++k) {
+    read.axes.push_back(motion.axes[places[k]]);
+    read.axes.back().t_s = times_s[k];
+  }
+  return read;
 }
 
 bool is_beyond_prediction(const VerdictReport& verdict, double until_s) {

@@ -19,12 +19,14 @@ inline constexpr double kWholeTurn = 2 * std::numbers::pi;  // rad
 /// The measured times (s), each once, ascending; the first is that of the release, 0.
 std::vector<double> measured_times(const Measurement& measurement);
 
-/// Body axis 3 at one instant, and how far it has drifted from the non-rotating prediction.
+/// Body axis 3 at one instant, as the scenario's instrument reads it, and how far it has drifted from the non-rotating prediction.
 struct PredictedAxis {
   double t_s = 0;
-  Vec3<double> n_L = Vec3<double>::Zero();
+  Vec3<double> n_M = Vec3<double>::Zero();  ///< along the axes of the instrument's mount
+  double azimuth_rad = 0, tilt_rad = 0;     ///< as the instrument reads them; the azimuth is NaN where the axis is vertical
   double drift_tilt_rad = 0;                ///< (rad); 0 where no drift was asked for
-  std::optional<double> drift_azimuth_rad;  ///< (rad), continuous; none where an axis is vertical, or no drift was asked for
+  std::optional<double> drift_azimuth_rad =
+      {};  ///< (rad), continuous; none where an axis is vertical, or no drift was asked for
   std::optional<double> rotor_rate_rad_s = {};                       ///< relative to the body; none without a rotor
   std::optional<double> outer_angle_rad = {}, inner_angle_rad = {};  ///< continuous; none without gimbals
 };
@@ -55,13 +57,16 @@ struct PredictedMotion {
   std::optional<ContactEvent> end;  ///< the event on the table after which there is no motion at the later times
 };
 
-/// A scenario's motion at given times, computed in double precision whatever precision the scenario asks for. The scenario's
+/// A scenario's motion at given times of its instrument's clock, computed in double precision whatever precision the scenario asks for. The scenario's
 /// rows and other requests are ignored.
 /// @param times_s  ascending, starting at 0, none later than the scenario's duration
 /// @param drift  whether drifts are wanted: these need the non-rotating prediction as well, which makes the work threefold
 /// @param watch  may end the work early
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
 PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
+
+/// Fills in the angles at which an instrument reads the axis n_M.
+void read_angles(PredictedAxis& axis, const Scenario& scenario);
 
 /// The angles of a motion for a picture. @param drift  whether it was computed with drifts
 std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift);

@@ -3,8 +3,6 @@
 #include "earthtop/measure/measurement.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +11,12 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/results/provenance.hpp"
-#include "error/gsl_errors.hpp"
 #include "measure/estimated_inputs.hpp"
+#include "measure/estimation.hpp"
 #include "measure/exact_inputs.hpp"
 #include "measure/findings.hpp"
 #include "measure/measured_motion.hpp"
-#include "measure/prediction_problem.hpp"
 #include "measure/priors.hpp"
-#include "measure/weighted_fit.hpp"
 #include "measure/whitening.hpp"
 #include "run/looks.hpp"
 
@@ -30,33 +26,6 @@ namespace {
 
 using Overrides = std::vector<std::pair<std::string, std::string>>;
 
-ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, const std::vector<Prior>& priors,
-                          std::size_t fitted) {
-  const ReturnedGslErrors returned;
-  ChiSquared chi_squared;
-  for (const MeasurementResidual& residual : residuals) chi_squared.value += residual.independent() * residual.independent();
-  for (const Prior& prior : priors) chi_squared.of_priors += *prior.pull * *prior.pull;
-  chi_squared.value += chi_squared.of_priors;
-  chi_squared.degrees_of_freedom =
-      static_cast<std::int64_t>(residuals.size() + priors.size()) - static_cast<std::int64_t>(fitted);
-  if (chi_squared.degrees_of_freedom > 0)
-    chi_squared.p_value = gsl_cdf_chisq_Q(chi_squared.value, static_cast<double>(chi_squared.degrees_of_freedom));
-  return chi_squared;
-}
-
-/// Whitens the residuals of a whole measurement.
-void whiten(std::vector<MeasurementResidual>& residuals, const Whitening& whitening) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(residuals.size()));
-  for (std::size_t i = 0; i < residuals.size(); ++i) values[static_cast<Eigen::Index>(i)] = residuals[i].normalised();
-  whitening.whiten(values);
-  for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i].whitened = values[static_cast<Eigen::Index>(i)];
-}
-
-/// The correlation of the errors as it is stated.
-Whitening whitening_of(const MeasurementReport& report) {
-  return report.correlation_time_s > 0 ? Whitening(report.residuals, report.correlation_time_s, report.file) : Whitening();
-}
-
 /// Adds overrides that extend the scenario to the last measured time, if that is later than its end. The data that the scenario
 /// reads for its duration (a table of a platform's motion) are then checked up to that time.
 Overrides with_duration(Overrides overrides, const Scenario& scenario, double last_s) {
@@ -64,68 +33,6 @@ Overrides with_duration(Overrides overrides, const Scenario& scenario, double la
   overrides.emplace_back("/motion/duration_s", fmt::format("{}", last_s));
   overrides.emplace_back("/motion/output_step_s", fmt::format("{}", last_s));
   return overrides;
-}
-
-void fill_estimates(MeasurementReport& report, const Fit& fit) {
-  const double scatter = report.fitted->degrees_of_freedom > 0
-                             ? std::sqrt(report.fitted->value / static_cast<double>(report.fitted->degrees_of_freedom))
-                             : 1;
-  const auto p = static_cast<Eigen::Index>(report.estimates.size());
-  for (Eigen::Index j = 0; j < p; ++j) {
-    ParameterEstimate& estimate = report.estimates[static_cast<std::size_t>(j)];
-    estimate.estimate = fit.parameters[static_cast<std::size_t>(j)];
-    estimate.standard_error = std::sqrt(fit.covariance(j, j));
-    estimate.standard_error_scaled = *estimate.standard_error * std::max(1.0, scatter);
-    std::vector<double>& row = report.correlation.emplace_back();
-    for (Eigen::Index k = 0; k < p; ++k)
-      row.push_back(j == k ? 1 : fit.covariance(j, k) / std::sqrt(fit.covariance(j, j) * fit.covariance(k, k)));
-  }
-}
-
-/// The expected number of predictions of a fit: for each parameter two to find its step, and two for its derivative in each of
-/// some iterations.
-double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
-
-void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
-                   const Watch& watch) {
-  const std::vector<double> times = measured_times(measurement);
-  if (report.residuals.size() + priors.used.size() < inputs.list().size())
-    throw ScenarioError(
-        "--estimate",
-        fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(), report.residuals.size(),
-                    priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
-  Trials trials{report.predictions, 1 / expected_predictions(inputs.list().size()), 0, {}};
-  FitProblem problem = prediction_problem(inputs, measurement, report.residuals, times, watch, trials);
-  problem.whitening = whitening_of(report);
-  problem.priors = std::move(priors.of_fit);
-  for (const EstimatedInput& input : inputs.list())
-    report.estimates.push_back({input.name, input.unit, input.start, {}, {}, {}});
-  const Fit fit = fit_weighted(problem);
-  report.fit = fit.outcome;
-  report.iterations = fit.iterations;
-  report.fit_reason = fit.reason;
-  if (fit.outcome == FitOutcome::not_determined) {
-    std::vector<std::string> names;
-    for (const std::size_t j : fit.undetermined) names.push_back(inputs.list()[j].name);
-    report.fit_reason = names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
-                                          : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));
-  }
-  if (fit.outcome != FitOutcome::converged) return;
-  std::vector<double> residuals;
-  if (!problem.residuals_at(fit.parameters, residuals)) {
-    // The fit has computed this prediction, so that only a request to stop can have ended it.
-    report.fit = watch.asks_to_stop() ? FitOutcome::interrupted : FitOutcome::prediction_failed;
-    return;
-  }
-  report.residuals = std::move(trials.latest);
-  if (report.correlation_time_s > 0) whiten(report.residuals, problem.whitening);
-  for (std::size_t k = 0; k < priors.used.size(); ++k) {
-    Prior& prior = priors.used[k];
-    prior.pull = (fit.parameters[problem.priors[k].parameter] - prior.mean) / prior.standard_error;
-  }
-  report.priors = std::move(priors.used);
-  report.fitted = chi_squared_of(report.residuals, report.priors, inputs.list().size());
-  fill_estimates(report, fit);
 }
 
 /// Refuses rows that no computation can predict. Adds a note where the motion depends on digits that are not known.
@@ -147,15 +54,15 @@ void require_reliable(MeasurementReport& report, const Measurement& measurement,
 }
 
 /// Means of neighbouring axes, each of `each` of them, of which the outer ones count less.
-std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std::size_t each) {
+std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std::size_t each, const Scenario& scenario) {
   std::vector<PredictedAxis> means;
   for (std::size_t begin = 0; begin + each <= axes.size(); begin += each) {
-    PredictedAxis mean{(axes[begin].t_s + axes[begin + each - 1].t_s) / 2, Vec3<double>::Zero(), 0, 0.0};
+    PredictedAxis mean{.t_s = (axes[begin].t_s + axes[begin + each - 1].t_s) / 2, .drift_azimuth_rad = 0.0};
     double weights = 0;
     for (std::size_t k = 0; k < each; ++k) {
       const PredictedAxis& axis = axes[begin + k];
       const double place = (static_cast<double>(k) + 1) / (static_cast<double>(each) + 1) - 0.5, weight = 1 - 4 * place * place;
-      mean.n_L += weight * axis.n_L;
+      mean.n_M += weight * axis.n_M;
       mean.drift_tilt_rad += weight * axis.drift_tilt_rad;
       if (mean.drift_azimuth_rad && axis.drift_azimuth_rad)
         *mean.drift_azimuth_rad += weight * *axis.drift_azimuth_rad;
@@ -165,7 +72,8 @@ std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std:
     }
     // The parts do not swing as the axis does.
     for (const PartQuantity& part : kPartQuantities) mean.*part.predicted = axes[begin + each / 2].*part.predicted;
-    mean.n_L.normalize();
+    mean.n_M.normalize();
+    read_angles(mean, scenario);
     mean.drift_tilt_rad /= weights;
     if (mean.drift_azimuth_rad) *mean.drift_azimuth_rad /= weights;
     means.push_back(mean);
@@ -201,7 +109,7 @@ void take_curve(MeasurementReport& report, const Scene& given, const EstimatedIn
   }
   PredictedMotion motion = predict(fitted ? *fitted : given, times, drift, watch);
   report.curve_is_mean = a_window > 0;
-  if (a_window > 0) motion.axes = means_of(motion.axes, a_window);
+  if (a_window > 0) motion.axes = means_of(motion.axes, a_window, given.scenario());
   report.curve = angles_of(motion, drift);
 }
 
@@ -267,6 +175,7 @@ std::string_view to_string(FitOutcome outcome) {
     case FitOutcome::converged: return "converged";
     case FitOutcome::not_determined: return "not_determined";
     case FitOutcome::not_converged: return "not_converged";
+    case FitOutcome::false_minimum: return "false_minimum";
     case FitOutcome::prediction_failed: return "prediction_failed";
     case FitOutcome::interrupted: return "interrupted";
   }
@@ -340,7 +249,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
     if (report.status == RunStatus::completed) {
       fit_estimates(report, measurement, inputs, std::move(priors), parts.next(of_fit, "fit"));
       if (report.fit == FitOutcome::converged)
-        add_findings(report, measurement, scene, ExactInputs(scene, estimates, inputs_of), whitening_of(report),
+        add_findings(report, measurement, scene, ExactInputs(scene, estimates, inputs_of), inputs_of, whitening_of(report),
                      parts.next(of_exact, "exact inputs"));
     } else {
       report.fit = report.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;

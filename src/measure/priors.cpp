@@ -37,13 +37,26 @@ bool moves_other_moments(const EstimatedInput& input) {
 }  // namespace
 
 FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& inputs) {
+  FoundPriors found;
+  const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
+  for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
+    if (!(instrument.standard_error[i] > 0)) continue;
+    const std::string name(kInstrument[i].pointer);
+    const auto input = std::ranges::find(inputs, name, &EstimatedInput::pointer);
+    if (input == inputs.end()) {
+      found.unused.push_back({name, fmt::format("it is not estimated; add --estimate {} to use it", name)});
+      continue;
+    }
+    found.used.push_back({name, input->name, input->unit, input->start, instrument.standard_error[i], {}});
+    found.of_fit.push_back({static_cast<std::size_t>(input - inputs.begin()), instrument.standard_error[i]});
+  }
   const auto& uncertainty = scene.scenario().uncertainty;
+  if (!uncertainty && !found.used.empty()) return found;
   if (!uncertainty)
     throw ScenarioError(
         "--priors",
         "the scenario has no uncertainty block; write one with the standard errors of the inputs that are known "
         "beforehand, e.g. \"uncertainty\": {\"tilt_deg\": 0.1}");
-  FoundPriors found;
   for (std::size_t i = 0; i < kInputs.size(); ++i) {
     const InputRow& row = kInputs[i];
     const std::string_view name = row.name();

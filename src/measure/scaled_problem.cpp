@@ -14,12 +14,20 @@ constexpr double kFine = 2, kRough = 30;  // factors by which a change may diffe
 }  // namespace
 
 ScaledProblem::ScaledProblem(const FitProblem& problem)
-    : problem_(problem), steps_(problem.start.size(), kFirstStep), residuals_(problem.standard_error.size()) {}
+    : problem_(problem),
+      steps_(problem.steps.empty() ? std::vector<double>(problem.start.size(), kFirstStep) : problem.steps),
+      residuals_(problem.standard_error.size()) {}
 
 std::vector<double> ScaledProblem::unscaled(const std::vector<double>& u) const {
   std::vector<double> x(u.size());
   for (std::size_t j = 0; j < u.size(); ++j) x[j] = problem_.start[j] + (u[j] - 1) * problem_.scales[j];
   return x;
+}
+
+std::vector<double> ScaledProblem::scaled(const std::vector<double>& x) const {
+  std::vector<double> u(x.size());
+  for (std::size_t j = 0; j < x.size(); ++j) u[j] = 1 + (x[j] - problem_.start[j]) / problem_.scales[j];
+  return u;
 }
 
 /// Computes the data's residuals in their standard errors, not whitened.
@@ -47,18 +55,23 @@ bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
   return f.allFinite();
 }
 
-/// Differentiates the data's residuals, not whitened. Takes differences to both sides or, where a range ends or a motion cannot be computed, to one side.
-bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative) {
+/// Differentiates the data's residuals, not whitened. Takes differences to both sides or, where a range ends or a motion cannot be
+/// computed, to one side. @param here  the residuals at u, from which the difference is taken: to one side where it can be
+bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative,
+                                  const Eigen::VectorXd* here) {
   Eigen::VectorXd high, low;
   std::vector<double> above = u, below = u;
   above[parameter] += steps_[parameter];
   below[parameter] -= steps_[parameter];
-  const bool has_high = predict(above, high), has_low = predict(below, low);
+  const bool has_high = predict(above, high), has_low = !(here && has_high) && predict(below, low);
   if (!has_high && !has_low) return false;
-  if (!has_high) above = u;
-  if (!has_low) below = u;
-  if (!has_high && !predict(u, high)) return false;
-  if (!has_low && !predict(u, low)) return false;
+  const auto take_here = [&](std::vector<double>& at, Eigen::VectorXd& residuals) {
+    at = u;
+    if (here) residuals = *here;
+    return here || predict(u, residuals);
+  };
+  if (!has_high && !take_here(above, high)) return false;
+  if (!has_low && !take_here(below, low)) return false;
   derivative = high - low;
   for (Eigen::Index i = 0; i < derivative.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
@@ -71,9 +84,10 @@ bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t para
 
 bool ScaledProblem::jacobian(const std::vector<double>& u, Eigen::MatrixXd& J) {
   J.resize(static_cast<Eigen::Index>(residuals()), static_cast<Eigen::Index>(parameters()));
-  Eigen::VectorXd column;
+  Eigen::VectorXd column, here;
+  if (problem_.rough && !predict(u, here)) return false;
   for (std::size_t j = 0; j < parameters(); ++j) {
-    if (!differentiate(u, j, column)) return false;
+    if (!differentiate(u, j, column, problem_.rough ? &here : nullptr)) return false;
     J.col(static_cast<Eigen::Index>(j)) = with_priors(column, j);
   }
   return true;
@@ -98,25 +112,31 @@ double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, doub
 }
 
 ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter) {
-  Eigen::VectorXd derivative;
-  return find_step(u, parameter, kFine, derivative);
+  Eigen::VectorXd derivative, here;
+  if (problem_.rough && !predict(u, here)) return StepFound::no_prediction;
+  return find_step(u, parameter, kFine, derivative, problem_.rough ? &here : nullptr);
 }
 
 ScaledProblem::StepFound ScaledProblem::derivative(const std::vector<double>& u, std::size_t parameter, Step wanted,
                                                    Eigen::VectorXd& column) {
   Eigen::VectorXd of_data;
-  const StepFound found = find_step(u, parameter, wanted == Step::fine ? kFine : kRough, of_data);
+  StepFound found = StepFound::no_prediction;
+  if (wanted == Step::rough && rough_at_ != u) rough_at_ = predict(u, here_) ? u : std::vector<double>();
+  if (wanted == Step::fine)
+    found = find_step(u, parameter, kFine, of_data, nullptr);
+  else if (!rough_at_.empty())
+    found = find_step(u, parameter, kRough, of_data, &here_);
   if (found != StepFound::yes) of_data.setZero(static_cast<Eigen::Index>(problem_.standard_error.size()));
   column = with_priors(std::move(of_data), parameter);
   return found;
 }
 
 ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter, double within,
-                                                  Eigen::VectorXd& derivative) {
+                                                  Eigen::VectorXd& derivative, const Eigen::VectorXd* here) {
   constexpr int kAttempts = 5;
   double& step = steps_[parameter];
   for (int attempt = 1;; ++attempt) {
-    if (!differentiate(u, parameter, derivative)) {
+    if (!differentiate(u, parameter, derivative, here)) {
       if (step <= kShortestStep || attempt == kAttempts) return StepFound::no_prediction;
       step = std::max(kShortestStep, step / 1e2);
       continue;

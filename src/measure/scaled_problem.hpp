@@ -20,6 +20,7 @@ class ScaledProblem {
   std::size_t parameters() const { return problem_.start.size(); }
   std::size_t residuals() const { return problem_.standard_error.size() + problem_.priors.size(); }
   std::vector<double> unscaled(const std::vector<double>& u) const;
+  std::vector<double> scaled(const std::vector<double>& x) const;
 
   /// Computes the scaled residuals f at the scaled parameters u. @returns whether there is a prediction
   bool evaluate(const std::vector<double>& u, Eigen::VectorXd& f);
@@ -30,21 +31,27 @@ class ScaledProblem {
   /// Sets the step of the finite differences by which a parameter's derivatives are computed.
   StepFound find_step(const std::vector<double>& u, std::size_t parameter);
 
-  /// How well the step of a difference is chosen: a rough one takes fewer predictions, and has some four digits.
+  const std::vector<double>& steps() const { return steps_; }
+
+  /// How well the step of a difference is chosen: a rough one takes fewer predictions, to one side, and has some three digits.
   enum class Step { fine, rough };
   /// Finds such a step, and the derivatives of the residuals by the parameter: whitened, and 0 for the priors of others.
   StepFound derivative(const std::vector<double>& u, std::size_t parameter, Step wanted, Eigen::VectorXd& column);
 
  private:
   bool predict(const std::vector<double>& u, Eigen::VectorXd& f);
-  bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative);
-  StepFound find_step(const std::vector<double>& u, std::size_t parameter, double within, Eigen::VectorXd& derivative);
+  bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative,
+                     const Eigen::VectorXd* here);
+  StepFound find_step(const std::vector<double>& u, std::size_t parameter, double within, Eigen::VectorXd& derivative,
+                      const Eigen::VectorXd* here);
   Eigen::VectorXd with_priors(Eigen::VectorXd of_data, std::size_t parameter) const;
   double largest_change_rad(const Eigen::VectorXd& derivative, double step) const;
 
   const FitProblem& problem_;
   std::vector<double> steps_;
   std::vector<double> residuals_;
+  std::vector<double> rough_at_;  // where rough derivatives are taken
+  Eigen::VectorXd here_;          // the residuals there
 };
 
 }  // namespace earthtop::measure

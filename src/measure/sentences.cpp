@@ -32,8 +32,8 @@ constexpr SpokenInput kSpokenInputs[] = {
     {"/release/tilt_deg", "the tilt at release"},
     {"/release/azimuth_deg", "the azimuth at release"},
     {"/release/spin_angle_deg", "the spin angle at release"},
-    {"inertia_ratio", "the ratio I3/I1 of the moments"},
-    {"center_of_mass_m", "the distance of the centre of mass"},
+    {"inertia_ratio", "the ratio I3/I1 of the moments about the pivot, with I1 and I2 held,"},
+    {"center_of_mass_m", "the distance of the centre of mass, with the moments about the pivot held,"},
 };
 
 }  // namespace
@@ -68,6 +68,15 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   const double off = (given.start - *given.estimate) / error;
   return text + fmt::format("; the scenario's {:.10g} is {} sigma {} it", given.start, sigmas(std::abs(off)),
                             off < 0 ? "below" : "above");
+}
+
+std::string hint_sentence(const FitHint& hint) {
+  std::string values;
+  for (const FitHint::Value& v : hint.values)
+    values += fmt::format("{}{} = {}{}{}", values.empty() ? "" : " with ", v.name,
+                          with_standard_error(v.value, v.standard_error), v.unit.empty() ? "" : " ", v.unit);
+  return fmt::format("{} would leave chi-squared {:.6g}, to first order; estimate {}", values, hint.chi_squared,
+                     hint.values.size() > 1 ? "them" : "it");
 }
 
 }  // namespace earthtop

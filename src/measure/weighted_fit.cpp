@@ -24,8 +24,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMostIterations = 100;
-constexpr double kConverged = 1e-3;  // largest next step, in standard errors (scaled ones if the scatter is larger than stated)
+/// The largest next step of a fit that has converged, in standard errors, and the largest number of iterations.
+constexpr double kConverged = 1e-3, kRoughlyConverged = 0.1;
+constexpr int kMostIterations = 100, kMostRoughIterations = 30;
 /// Where there is no prediction, the residuals are made this much larger than any so far, so that GSL takes the step back.
 constexpr double kNoPrediction = 1e3;
 
@@ -94,7 +95,7 @@ std::string why_not_converged(bool no_progress, bool all_predicted) {
 Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
   Fit fit;
   const std::size_t n = problem.residuals(), p = problem.parameters();
-  std::vector<double> u(p, 1);
+  std::vector<double> u = given.from.empty() ? std::vector<double>(p, 1) : problem.scaled(given.from);
   std::vector<std::size_t> without_influence;
   for (std::size_t j = 0; j < p; ++j) {
     const auto found = problem.find_step(u, j);
@@ -137,21 +138,24 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       return fit;
     }
     const Influences influences(workspace->J, workspace->f);
+    fit.parameters = problem.unscaled(values_of(workspace->x));
+    fit.steps = problem.steps();
+    fit.chi_squared = influences.chi_squared();
     if (!influences.determine_all(given.priors.empty() ? Influences::kLeast : kLeastWithPriors)) {
       fit.outcome = FitOutcome::not_determined;
       fit.undetermined = influences.least_determined();
       return fit;
     }
     const double scatter = n > p ? std::max(1.0, influences.chi_squared() / static_cast<double>(n - p)) : 1.0;
-    if (influences.next_step() <= kConverged * std::sqrt(scatter)) {
+    if (influences.next_step() <= (given.rough ? kRoughlyConverged : kConverged) *
+                                      std::sqrt(scatter)) {  // in scaled errors if the scatter is larger than stated
       fit.outcome = FitOutcome::converged;
-      fit.parameters = problem.unscaled(values_of(workspace->x));
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
       const MatrixXd covariance = scales.asDiagonal() * influences.covariance() * scales.asDiagonal();
       fit.covariance = (covariance + covariance.transpose()) / 2;  // symmetric to the last bit
       return fit;
     }
-    if (status == GSL_ENOPROG || fit.iterations == kMostIterations) {
+    if (status == GSL_ENOPROG || fit.iterations == (given.rough ? kMostRoughIterations : kMostIterations)) {
       fit.reason = why_not_converged(status == GSL_ENOPROG, callbacks.all_predicted);
       return fit;
     }

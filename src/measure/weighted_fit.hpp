@@ -26,6 +26,10 @@ struct FitProblem {
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
   Whitening whitening;                 ///< of the residuals divided by their standard errors
   std::vector<FitPrior> priors;        ///< each is a datum besides the residuals
+  std::vector<double> from;            ///< where the search begins; empty: at `start`, about which priors are known
+  std::vector<double> steps;           ///< first steps of the differences, in scales; empty: not known
+  /// Whether the fit only shows the way to another: derivatives by differences to one side, and fewer digits of the minimum.
+  bool rough = false;
   /// Computes the residuals. @returns whether there is a prediction for these parameters; if not, `residuals` has no meaning
   std::function<bool(const std::vector<double>& parameters, std::vector<double>& residuals)> residuals_at;
   std::function<bool()> stopped;
@@ -35,8 +39,10 @@ struct Fit {
   FitOutcome outcome = FitOutcome::not_converged;
   std::string reason;
   std::vector<std::size_t> undetermined;  ///< the parameters that the data do not determine, or cannot distinguish
-  std::vector<double> parameters;
-  Eigen::MatrixXd covariance;  ///< of the parameters, from the stated standard errors
+  std::vector<double> parameters;         ///< where the search ended; empty if it could not begin
+  std::vector<double> steps;              ///< of the differences, in scales
+  double chi_squared = 0;                 ///< there, with that of the priors
+  Eigen::MatrixXd covariance;             ///< of the parameters, from the stated standard errors; of a fit that has converged
   int iterations = 0;
 };
 
@@ -50,7 +56,7 @@ inline constexpr double kPredictionError_rad = 1e-11;
 /// influences, such as the Earth's, the first of these errors grows to about 1e-6. The estimate does not suffer from that,
 /// since derivatives only lead to the least sum of squares; the standard error loses its sixth digit.
 ///
-/// A fit has converged if its next full step would be at most a thousandth of the standard errors.
+/// A fit has converged if its next full step would be at most a thousandth of the standard errors; a rough one, a tenth.
 Fit fit_weighted(const FitProblem& problem);
 
 }  // namespace earthtop::measure

@@ -253,7 +253,7 @@ void require_design(const ScenarioSource& source, const Overrides& overrides, co
   for (auto input = design.begin(); input != design.end(); ++input) {
     if (std::any_of(design.begin(), input, [&](const DesignInput& other) { return other.pointer == input->pointer; }))
       refuse_design(input->pointer, "is given twice");
-    if (input->pointer != kDuration && !measure::is_number_of_motion(input->pointer))
+    if (input->pointer != kDuration && !measure::is_estimable(input->pointer))
       refuse_design(
           input->pointer,
           "is not a number that can be chosen; give a number of site, earth, body, release, contact, platform or effects, "

@@ -65,8 +65,8 @@ void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
   std::size_t at = 0;
   for (MeasuredValue& value : measurement.values) {
     while (motion.axes[at].t_s < value.t_s) ++at;
-    const Vec3<double>& n_L = motion.axes[at].n_L;
-    value.axis_L = {n_L[0], n_L[1], n_L[2]};
+    const Vec3<double>& n_M = motion.axes[at].n_M;
+    value.axis_L = {n_M[0], n_M[1], n_M[2]};
     const measure::PartQuantity* part = measure::part_quantity(value.quantity);
     if (part != nullptr && !(motion.axes[at].*part->predicted))
       throw ScenarioError("--measure",

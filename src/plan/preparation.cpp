@@ -87,6 +87,13 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
     return EstimatedInputs(source, overrides, scene, names, kMostNumbers);
   };
   inputs_of(numbers.names);  // refuses what cannot be estimated
+  const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
+  for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
+    std::string why;
+    const std::string_view input = kInstrument[i].pointer;
+    if (instrument.standard_error[i] > 0 && !add_prior(numbers, {input, 1}, instrument.standard_error[i], inputs_of, why))
+      numbers.notes.push_back(note_on_unused(input, numbers.names, why));
+  }
   const auto& uncertainty = scene.scenario().uncertainty;
   for (std::size_t k = 0; uncertainty && k < kInputs.size(); ++k) {
     if (!((*uncertainty)[k] > 0)) continue;

@@ -119,6 +119,8 @@ std::string agreement_html(const Json& document) {
                        "correlated over " + number_html(time, "s", 6) +
                            ", as stated; chi-squared counts the part of each residual that the one before does not predict");
   std::vector<std::string> notes;
+  for (const Json& hint : document.value("hints", Json::array()))
+    notes.push_back(escaped(hint.at("sentence").get<std::string>()));
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
   return facts_html(facts) + list_html(notes) +
          "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors "

@@ -9,6 +9,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/model/gimbal_ledger.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
@@ -71,11 +72,17 @@ using Torques = std::array<Vec3<double>, 4>;
 constexpr const char* kTorqueNames[] = {"gravity_N_m", "coriolis_N_m", "transverse_N_m", "centrifugal_N_m"};
 
 Torques torques_at(const Model<double>& model, const Row& row) {
-  static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s"), rate = column("rotor_rate_rad_s");
+  static const std::size_t q = column("q_LB_w"), w = column("w_LB_B_x_rad_s"), rate = column("rotor_rate_rad_s"),
+                           angles = column("outer_angle_rad");  // the inner angle and both rates follow
   const Quaternion<double> q_LB{row.value[q], Vec3<double>(row.value[q + 1], row.value[q + 2], row.value[q + 3])};
   const Vec3<double> w_LB_B(row.value[w], row.value[w + 1], row.value[w + 2]);
-  const double spin = model.kind == SceneKind::gyrostat && model.rotor.axial > 0 ? row.value[rate] : 0;
-  const LedgerEntry<double> entry = ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B, spin);
+  const bool in_gimbals = model.kind == SceneKind::suspension;
+  const double spin = (in_gimbals || model.kind == SceneKind::gyrostat) && model.rotor.axial > 0 ? row.value[rate] : 0;
+  const LedgerEntry<double> entry =
+      in_gimbals ? ledger_entry_in_gimbals(
+                       LedgerObserver::laboratory, model, row.t_s,
+                       {row.value[angles], row.value[angles + 1], row.value[angles + 2], row.value[angles + 3]}, spin)
+                 : ledger_entry(LedgerObserver::laboratory, model, row.t_s, q_LB, w_LB_B, spin);
   return {entry.tau_phys_A, entry.tau_cor_A, entry.tau_trans_A, entry.tau_cent_A};
 }
 

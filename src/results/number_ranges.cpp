@@ -79,6 +79,8 @@ constexpr auto kRangeRules = [] {
       {"checkpoints", count},
       {"iterations", count},
       {"predictions", count},
+      {"spans", count},
+      {"minima", count},
       {"motions", count},
       {"attempts", count},
       {"avoided", count},

@@ -32,6 +32,7 @@ nlohmann::json written_out(const Scenario& s) {
   });
   root.object("motion", true, [&](auto& below) { motion_keys(below, s); });
   if (s.platform) root.object("platform", true, [&](auto& below) { platform_keys(below, *s.platform); });
+  if (s.instrument) root.object("instrument", true, [&](auto& below) { instrument_keys(below, *s.instrument); });
   if (s.contact) root.object("contact", true, [&](auto& below) { contact_keys(below, *s.contact); });
   root.object("effects", true, [&](auto& below) {
     orientation_keys(below, s);

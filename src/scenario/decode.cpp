@@ -89,6 +89,10 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);
   scenario.moving_masses = decode_masses(root, source, scenario.duration_s);
   if (root.has("platform")) scenario.platform = decode_platform(root.section("platform"), source, scenario.duration_s);
+  if (root.has("instrument")) {
+    Reading instrument(root.section("instrument"));
+    instrument_keys(instrument, scenario.instrument.emplace());
+  }
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, scenario);

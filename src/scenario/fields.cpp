@@ -362,15 +362,30 @@ constexpr Field kOwnFields[] = {
     {"/report/sensitivities", flag, "", any(), "", "false",
      "whether to report the derivatives of the last reliable drift with respect to the inputs"},
 
+    describing({"/instrument", object, "", any(), "", "",
+                "what lies between the motion and measured numbers: a mount, zeros and senses of scales, a clock; for compare "
+                "and plan"}),
+
     {"/uncertainty", object, "", any(), "", "",
      "standard errors of the inputs, from which that of the drift is computed and reported"},
 };
 
-/// All fields: those above and, at their end, the standard errors of the inputs.
+/// All fields: those above and, at their end, the numbers of an instrument and the standard errors of the inputs.
 constexpr auto kFields = [] {
-  std::array<Field, std::size(kOwnFields) + kInputCount> all{};
+  std::array<Field, std::size(kOwnFields) + 2 * kInstrumentInputs + kInstrumentScales + kInputCount> all{};
   std::size_t end = 0;
   for (const Field& field : kOwnFields) all[end++] = field;
+  for (const InstrumentRow& row : kInstrument) {
+    all[end++] = {row.pointer, number, row.unit, from(row.least, row.most), "", row.fallback, row.doc};
+    all[end++] = {row.standard_error,
+                  number,
+                  row.unit,
+                  from(0, row.most),
+                  "",
+                  "0",
+                  "standard error of the number above, as it is known beforehand; 0: not stated"};
+  }
+  for (const InstrumentScale& scale : kReadScales) all[end++] = {scale.reversed, flag, "", any(), "", "false", scale.doc};
   for (const InputRow& row : kInputs) all[end++] = {row.pointer, number, row.unit, from(0, row.most), "", "0", row.doc};
   return all;
 }();

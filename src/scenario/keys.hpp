@@ -147,6 +147,17 @@ void platform_keys(Codec& codec, S& platform) {
   of_motion("file_sha256", platform.table.file_sha256);  // represents the table in the run's identity
 }
 
+// -- instrument
+
+template <class Codec, class S>
+void instrument_keys(Codec& codec, S& instrument) {
+  for (std::size_t i = 0; i < kInstrumentInputs; ++i) {
+    codec.key(instrument_key(kInstrument[i].pointer), instrument.value[i]);
+    codec.sparse(instrument_key(kInstrument[i].standard_error), instrument.standard_error[i]);
+  }
+  for (std::size_t i = 0; i < kInstrumentScales; ++i) codec.key(instrument_key(kReadScales[i].reversed), instrument.reversed[i]);
+}
+
 // -- rotor
 
 /// The spin is written in rad/s, and what is off is left out.

@@ -22,11 +22,12 @@ inline constexpr input::Wish kWishes[] = {
      "no rim or edge rolls on the table, as that of a coin does: only a spherical tip touches it, and a run ends "
      "where the rim would, at /contact/max_tilt_deg"},
     {"camera",
-     "a scenario has no camera, and a measured angle is taken as one from Up or from North: correct the "
-     "measurement for the tilt and the turn of the camera"},
-    {"time_offset|clock_offset",
-     "t = 0 is the release, and a scenario has no offset from it: shift the times of a measurement in its file; "
-     "those of another program's results are shifted by /time/offset_s of a mapping"},
+     "what a camera's tilt and turn do to measured angles is told by /instrument/turn_east_deg, turn_north_deg and "
+     "turn_up_deg"},
+    {"clock_offset",
+     "t = 0 is the release; what a clock shows then is /instrument/time_offset_s, and the times of another program's results "
+     "are "
+     "shifted by /time/offset_s of a mapping"},
 };
 
 }  // namespace earthtop::scenario

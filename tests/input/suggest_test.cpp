@@ -86,11 +86,9 @@ TEST(Wishes, AreAnsweredWithASentence) {
                 "a run ends where the rim would, at /contact/max_tilt_deg"},
                {"edge_radius_mm", "no rim or edge rolls on the table"},
                {"camera-tilt-deg",
-                "a scenario has no camera, and a measured angle is taken as one from Up or from North: correct "
-                "the measurement for the tilt and the turn of the camera"},
-               {"time_offset_s",
-                "t = 0 is the release, and a scenario has no offset from it: shift the times of a measurement in "
-                "its file; those of another program's results are shifted by /time/offset_s of a mapping"}};
+                "what a camera's tilt and turn do to measured angles is told by /instrument/turn_east_deg, turn_north_deg "
+                "and turn_up_deg"},
+               {"clock_offset_s", "what a clock shows then is /instrument/time_offset_s"}};
   for (const char* object : {"", "/body", "/contact", "/effects", "/body/solids/*"})
     for (const auto& [key, sentence] : cases) {
       EXPECT_NE(answer(object, key).find(sentence), std::string::npos) << object << "/" << key << ": " << answer(object, key);

@@ -100,6 +100,17 @@ def test_a_fit_finds_the_earth_in_noisy_data(top, data):
     pandas.testing.assert_frame_equal(again.residuals, found.residuals, check_exact=True)
 
 
+def test_hints_name_what_would_mend_a_fit(top):
+    read_off = top.changed({"instrument/tilt_zero_deg": 0.1})
+    fit = et.fit(top, et.simulate_measurement(read_off, {"azimuth_arcsec": 20, "tilt_deg": 0.005}, every_s=2, seed=3), estimate=VERTICAL)
+    best = fit.hints[fit.hints["hint"] == 0]
+    assert best["name"].tolist() == ["/instrument/tilt_zero_deg"] and best["unit"].tolist() == ["deg"]
+    assert abs(best["value"].item() - 0.1) < 4 * best["standard_error"].item()
+    assert best["chi_squared"].item() < fit.chi_squared / 10
+    mended = et.fit(top, et.simulate_measurement(read_off, {"tilt_deg": 0.005}, every_s=2, seed=3), estimate="/instrument/tilt_zero_deg")
+    assert len(mended.hints) == 0 and abs(mended.estimates["estimate"].item() - 0.1) < 0.005
+
+
 def test_what_is_not_determined_is_an_outcome(top, data):
     found = et.fit(top, data, ["release/spin_angle_deg"])
     assert found.outcome == "not_determined" and found.reason and not found.agrees

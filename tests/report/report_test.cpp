@@ -438,6 +438,21 @@ TEST(Report, OfAContactSaysOnlyWhatIsTrue) {
     EXPECT_EQ(rolls.find(text), rolls.npos) << text;
 }
 
+TEST(Report, ArrowsOfABodyInGimbalsAreTheLedgers) {
+  const TemporaryDirectory dir;
+  const RunResult result = run(parse_scene(read_scenario_source(EARTHTOP_SCENARIOS "/through-gimbal-lock.json"),
+                                           {{"/motion/duration_s", "0.1"},
+                                            {"/motion/output_step_s", "0.1"},
+                                            {"/headline", "null"},
+                                            {"/numerics/ledger", "\"laboratory\""}}));
+  write_results(result, dir.path() / "run", false);
+  const auto arrows = data_of(page_of(dir.path() / "run")).at("torques").at("coriolis_N_m");
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double torque = result.ledger->entries.front().tau_cor_A[k];
+    EXPECT_NEAR(arrows.at(k).get<double>(), torque, 1e-3 * std::abs(torque));  // four digits
+  }
+}
+
 TEST(Report, OfAFixedPivotHasNoTable) {
   const TemporaryDirectory dir;
   write_results(test::made_up_run(), dir.path() / "run", false);

@@ -101,6 +101,15 @@ std::string residuals_text(const MeasurementReport& report) {
   return text;
 }
 
+/// How the fit was found, after the number of its motions; nothing where it began at the scenario's numbers with all rows.
+std::string search_text(const FitSearch& search) {
+  std::string text;
+  if (search.spans > 1) text += fmt::format("; over {} growing spans of the rows", search.spans);
+  if (search.attempts > 1) text += fmt::format("; {} ways were tried", search.attempts);
+  if (search.minima > 1) text += fmt::format(", and the lowest of {} minima taken", search.minima);
+  return text;
+}
+
 }  // namespace
 
 std::string measurement_text(const MeasurementReport& report, const Screen& screen) {
@@ -116,13 +125,14 @@ std::string measurement_text(const MeasurementReport& report, const Screen& scre
                               report.correlation_time_s));
   add("As given", chi_squared_text(report.as_given));
   if (report.fitted)
-    add("Fitted", fmt::format("{}; {} iteration{}, {} motions", chi_squared_text(*report.fitted), report.iterations,
-                              report.iterations == 1 ? "" : "s", report.predictions));
+    add("Fitted", fmt::format("{}; {} iteration{}, {} motions{}", chi_squared_text(*report.fitted), report.iterations,
+                              report.iterations == 1 ? "" : "s", report.predictions, search_text(report.search)));
   else if (report.fit != FitOutcome::not_asked)
     add("Fit", strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
   add("Agreement", agreement_text(report, color));
   for (const UnusedPrior& prior : report.unused_priors)
     add("Prior", fmt::format("{} did not enter: {}", prior.name, printable(prior.reason)));
+  for (const FitHint& hint : report.hints) add("Hint", printable(hint_sentence(hint)));
   for (const std::string& note : report.notes) add("Note", printable(note));
   if (report.fitted) text += estimates_text(report, screen) + exact_text(report, screen);
   return report.residuals.empty() ? text : text + residuals_text(report);

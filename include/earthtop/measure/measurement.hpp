@@ -94,10 +94,21 @@ enum class FitOutcome {
   converged,
   not_determined,     ///< the predicted values do not change with an input, or with a combination of them
   not_converged,      ///< no minimum of the sum of squares within the allowed iterations
+  false_minimum,      ///< no minimum was found but one in which measured and predicted angles part by more than a quarter turn
   prediction_failed,  ///< no motion could be computed for numbers near the scenario's
   interrupted
 };
 std::string_view to_string(FitOutcome outcome);
+
+/// How the minimum of the sum of squares was searched.
+struct FitSearch {
+  /// Above this chi-squared per degree of freedom a minimum may be a false one, and a start is far off.
+  static constexpr double kDoubted = 10;
+
+  std::size_t spans = 0;  ///< growing spans of the data that led to the result; 0: all rows were fitted from the start
+  int attempts = 0;       ///< fits of all rows that were tried, each from another start or over other spans
+  int minima = 0;         ///< those that converged
+};
 
 /// One of the scenario's numbers, estimated from the measurement, in `unit`.
 struct ParameterEstimate {
@@ -118,9 +129,10 @@ struct ParameterEstimate {
   }
 };
 
-/// A standard error of the scenario's `uncertainty` block that entered the fit: the input is known beforehand to be `mean`.
+/// A standard error of the scenario's `uncertainty` or `instrument` block that entered the fit: the input is known beforehand to be
+/// `mean`.
 struct Prior {
-  std::string name;   ///< one of kInputNames
+  std::string name;   ///< one of kInputNames, or the pointer of one of kInstrument
   std::string input;  ///< the estimated input that it is about, as the user named it
   std::string unit;   ///< of the input
   double mean = 0;    ///< the scenario's value
@@ -128,8 +140,20 @@ struct Prior {
   std::optional<double> pull;  ///< the estimate minus the mean, in standard errors of the prior; none without a fit
 };
 struct UnusedPrior {
-  std::string name;  ///< one of kInputNames
+  std::string name;  ///< as of a prior
   std::string reason;
+};
+
+/// Inputs beside the estimated ones whose change would mend a bad fit, to first order in the residuals.
+struct FitHint {
+  struct Value {
+    std::string name;  ///< as `--estimate` takes it
+    std::string unit;
+    double value = 0;  ///< that it would have; the scenario's numbers are the estimated ones otherwise
+    double standard_error = 0;
+  };
+  std::vector<Value> values;
+  double chi_squared = 0;  ///< that would be left
 };
 
 /// The motion that the residuals are taken against, at one time of a picture.
@@ -154,7 +178,8 @@ struct MeasurementOptions {
   ///   - inertia_ratio: I3/I1 about the pivot, with I1 and I2 as they are; center_of_mass_m: the distance of the centre of mass
   ///     from the pivot, with the inertia about the pivot as it is.
   std::vector<std::string> estimates = {};
-  /// Whether the scenario's `uncertainty` block enters the fit, as a normal prior on each estimated input that it names.
+  /// Whether the standard errors of the scenario's `uncertainty` and `instrument` blocks enter the fit, as normal priors on the
+  /// estimated inputs.
   bool priors = false;
   /// Above 0: the errors of each measured quantity are correlated in time, by exp(-dt / correlation_time_s) between errors in
   /// units of their standard errors; those of different quantities are independent of each other (s).
@@ -179,12 +204,14 @@ struct MeasurementReport {
   std::optional<Verdict> verdict;                                      ///< of a run to the last row; none if it ended early
   ChiSquared as_given;  ///< with the scenario's own numbers, none of them fitted; over the rows that were reached
   FitOutcome fit = FitOutcome::not_asked;
-  std::string fit_reason;            ///< why the fit did not converge; empty where it did, or was not asked for
-  int iterations = 0;                ///< iterations of the fit
+  std::string fit_reason;  ///< why the fit did not converge; empty where it did, or was not asked for
+  int iterations = 0;      ///< iterations of the fit over all rows that led to the result
+  FitSearch search;
   std::int64_t predictions = 0;      ///< number of motions computed
   std::optional<ChiSquared> fitted;  ///< with the fitted numbers; none unless the fit converged
   std::vector<ParameterEstimate> estimates;
   std::vector<std::vector<double>> correlation;  ///< correlation matrix of the estimates' errors; empty where there are none
+  std::vector<FitHint> hints;                    ///< where the fit is bad: what would mend it, the best first
   std::vector<Prior> priors;                     ///< those that entered the fit
   std::vector<UnusedPrior> unused_priors;        ///< those that were asked for and did not
   double correlation_time_s = 0;                 ///< as stated; 0: errors are independent of each other
@@ -207,8 +234,8 @@ struct MeasurementReport {
 /// Compares a measurement with a scenario.
 /// @param overrides  `--set` pairs
 /// Errors of measured values are assumed to be normally distributed and, unless a correlation time is stated, independent of
-/// each other. The search for the minimum of the sum of squares begins at the scenario's numbers; where azimuths may be off by
-/// a full turn, there may be several minima.
+/// each other. The search for the minimum of the sum of squares begins at the scenario's numbers. Where these are far off it goes by
+/// growing spans of the data, and tries other starts as long as the residuals are far above their errors.
 /// @throws ScenarioError for a scenario, a name or a row that cannot be compared, rows among them that are later than the time
 /// until which a run of the scenario is reliable, where it is unstable or chaotic; ArithmeticError as `run` does. Numerical
 /// trouble is not an error: it is the report's `status`.
@@ -224,6 +251,9 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
 /// without an estimate.
 /// @param by_scatter  take the standard error scaled by the scatter, and say so
 std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
+
+/// What would mend a bad fit: "/instrument/time_offset_s = 0.0036 ± 0.0001 s would leave chi-squared 1776, to first order; estimate it"
+std::string hint_sentence(const FitHint& hint);
 
 /// "5.16e-5 ± 0.30e-5": a value and its standard error, both down to the error's second digit.
 std::string with_standard_error(double value, double error);

@@ -24,6 +24,7 @@
 #include "earthtop/model/release_spec.hpp"
 #include "earthtop/model/rotor_spec.hpp"
 #include "earthtop/scenario/criterion.hpp"
+#include "earthtop/scenario/instrument.hpp"
 
 namespace earthtop {
 
@@ -85,7 +86,8 @@ struct Scenario {
   std::optional<std::string> start_utc;  ///< ISO 8601, e.g. 2026-11-22T12:00:00Z
   double output_step_s = 0;
   std::optional<PlatformSpec> platform;
-  std::optional<ContactSpec> contact;  ///< the tip on a table; none: a fixed pivot
+  std::optional<Instrument> instrument;  ///< none: an ideal one
+  std::optional<ContactSpec> contact;    ///< the tip on a table; none: a fixed pivot
   EffectsSpec effects;
   IntegrationOptions numerics;
   Precision precision = Precision::bits53;

@@ -25,6 +25,16 @@ def gyro_azimuth_deg(t_s):
     return math.degrees(math.atan2(math.cos(turned), -math.sin(turned) * math.sqrt(0.5)))
 
 
+def gyro_tilt_deg(t_s):
+    """The same motion's tilt: the axis rises as a star in the East does."""
+    return math.degrees(math.acos(math.sin(OMEGA * t_s) * math.sqrt(0.5)))
+
+
+OFF_ZERO = "t_s,azimuth_deg,azimuth_se_deg,tilt_deg,tilt_se_deg\n" + "".join(
+    f"{t},{gyro_azimuth_deg(t) + 0.5},0.001,{gyro_tilt_deg(t)},0.001\n" for t in range(0, 60, 3))  # the circle's zero is wrong
+OPPOSITE = "t_s,azimuth_deg,azimuth_se_deg\n" + "".join(f"{t},{90 + 180 * (t // 3 % 2)},0.01\n" for t in range(0, 60, 3))
+
+
 def compared(options, says, data, scenario="toy-top", **more):
     """A scenario compared with a measurement."""
     if scenario == "toy-top":
@@ -114,6 +124,16 @@ CASES = [
              set={"/site/gravity_m_s2": None, "/site/gravity_anomaly_m_s2": 1e-4},
              holds=lambda text: '"gravity_m_s2": 9.80' in text and '"gravity_anomaly_m_s2"' not in text),
 
+    # a fit that is far off: its ways, what would mend it, and a minimum that is none
+    compared("--estimate tilt_deg", "; 2 ways were tried, and the lowest of 2 minima taken", OFF_ZERO, scenario=GYRO, status=1),
+    compared("--estimate tilt_deg", "would leave chi-squared", OFF_ZERO, scenario=GYRO, status=1,
+             holds=lambda text: near(text, r"Hint /instrument/azimuth_zero_deg = # ±", 0.5)),
+    compared("--estimate rotation_rate_rad_s",
+             "Fit false_minimum: the least sum of squares that was found,", OPPOSITE, scenario=GYRO, status=1,
+             holds=lambda text: "leaves angles off by more than a quarter turn: it is no answer, and says nothing of errors" in text),
+    compared("--estimate tilt_deg --priors", "Prior /instrument/clock_rate did not enter: it is not estimated; add --estimate "
+             "/instrument/clock_rate to use it", TILTS, status=1, set={"/uncertainty": {"tilt_deg": 1}, "/instrument/clock_rate_se": 0.1}),
+
     # agreement; one value 3 and 3.3 standard errors off
     compared("", "As given chi-squared 9 of 1 degree of freedom, p-value 0.0027 Agreement yes", azimuth(90.03), scenario=GYRO,
              holds=lambda text: abs(math.erfc(3 / math.sqrt(2)) - 0.0027) < 5e-6),
@@ -164,8 +184,8 @@ CASES = [
     # what estimates are called
     *[compared(f"--estimate {name}", f"{spoken} is ", TILTS, status=status)
       for name, spoken, status in (("tilt_deg", "the tilt at release", 1), ("/release/tilt_deg", "the tilt at release", 1),
-                                   ("inertia_ratio", "the ratio I3/I1 of the moments", 1),
-                                   ("center_of_mass_m", "the distance of the centre of mass", 0))],
+                                   ("inertia_ratio", "the ratio I3/I1 of the moments about the pivot, with I1 and I2 held,", 1),
+                                   ("center_of_mass_m", "the distance of the centre of mass, with the moments about the pivot held,", 0))],
     compared("--estimate /release/azimuth_deg", "the azimuth at release is 89.9979 ± 0.0050 deg", AZIMUTHS, scenario=GYRO),
     compared("--estimate /release/spin_angle_deg", "the spin angle at release is ", 
              "t_s,tilt_deg,tilt_se_deg\n0,20,1\n0.05,21,1\n0.1,20.5,1\n1,20,1\n",

@@ -119,6 +119,16 @@ class Fit(Document):
         return frame
 
     @property
+    def hints(self) -> "pandas.DataFrame":
+        """Of a fit whose residuals scatter by more than the stated errors: inputs that would mend it, one row for each, with its unit,
+        the value that it would have, the standard error, and the chi-squared that would be left, to first order. Inputs that belong
+        together have the same number ``hint``, 0 for the best."""
+        rows = [{**one, "hint": at, "chi_squared": hint["chi_squared"]}
+                for at, hint in enumerate(self.document["hints"]) for one in hint["inputs"]]
+        return table(rows, ["name", "unit"], ["hint", "value", "standard_error", "chi_squared"],
+                     order=["hint", "name", "unit", "value", "standard_error", "chi_squared"])
+
+    @property
     def sentences(self) -> List[str]:
         """What the data say of each estimated number, in words."""
         return [one["sentence"] for one in self.document["estimates"] if one.get("sentence")]

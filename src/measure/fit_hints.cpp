@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure/fit_hints.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace earthtop::measure {
+namespace {
+
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr std::string_view kTurns[] = {"/instrument/turn_east_deg", "/instrument/turn_north_deg"};
+constexpr std::size_t kMostHints = 3;
+constexpr double kLeastMended = 0.5;  // of what chi-squared has too much
+constexpr double kLeastSeen = 3e-3;   // of a column, beside the fitted ones: less is the error of differences
+
+struct Candidate {
+  std::vector<EstimatedInput> inputs;
+  MatrixXd columns;
+};
+
+bool is_turn(const EstimatedInput& input) { return std::ranges::find(kTurns, input.pointer) != std::end(kTurns); }
+
+void add_candidates(std::vector<Candidate>& candidates, const EstimatedInputs& inputs, std::size_t begin,
+                    const MatrixXd& columns) {
+  Candidate turn{{}, MatrixXd(columns.rows(), 0)};
+  for (std::size_t j = begin; j < inputs.list().size(); ++j) {
+    const auto column = columns.col(static_cast<Index>(j - begin));
+    if (!is_turn(inputs.list()[j])) {
+      candidates.push_back({{inputs.list()[j]}, column});
+      continue;
+    }
+    turn.inputs.push_back(inputs.list()[j]);
+    turn.columns.conservativeResize(Eigen::NoChange, turn.columns.cols() + 1);
+    turn.columns.rightCols(1) = column;
+  }
+  if (!turn.inputs.empty()) candidates.push_back(std::move(turn));
+}
+
+}  // namespace
+
+EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, const ExactInputs::InputsOf& inputs_of) {
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < exact.fitted(); ++j) names.push_back(exact.all().list()[j].name);
+  for (const InstrumentRow& row : kInstrument) {
+    const std::string_view key = instrument_key(row.pointer);
+    if (key.starts_with("rotor_") && !scene.scenario().rotor) continue;
+    if ((key.starts_with("outer_") || key.starts_with("inner_")) && !scene.scenario().gimbals) continue;
+    if (std::ranges::find(names, row.pointer) == names.end()) names.emplace_back(row.pointer);
+  }
+  return inputs_of(names);
+}
+
+std::vector<FitHint> hints_of(const MeasurementReport& report, const MatrixXd& J, const ExactInputs& exact,
+                              const EstimatedInputs& of_instrument, const MatrixXd& by_instrument) {
+  VectorXd residuals = VectorXd::Zero(J.rows());
+  for (std::size_t i = 0; i < report.residuals.size(); ++i)
+    residuals[static_cast<Index>(i)] = report.residuals[i].independent();
+  for (std::size_t k = 0; k < report.priors.size(); ++k)
+    residuals[static_cast<Index>(report.residuals.size() + k)] = -report.priors[k].pull.value_or(0);
+  const auto fitted = static_cast<Index>(exact.fitted());
+  const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(J.leftCols(fitted)).householderQ() * MatrixXd::Identity(J.rows(), fitted);
+
+  std::vector<Candidate> candidates;
+  add_candidates(candidates, exact.all(), exact.fitted(), J.rightCols(static_cast<Index>(exact.exact())));
+  add_candidates(candidates, of_instrument, exact.fitted(), by_instrument);
+  const double too_much = report.fitted->value - static_cast<double>(report.fitted->degrees_of_freedom);
+  std::vector<FitHint> hints;
+  for (const Candidate& candidate : candidates) {
+    const MatrixXd beside = candidate.columns - Q * (Q.transpose() * candidate.columns);
+    if ((beside.colwise().norm().array() <= kLeastSeen * candidate.columns.colwise().norm().array()).any()) continue;
+    const Eigen::ColPivHouseholderQR<MatrixXd> qr(beside);
+    if (qr.rank() < beside.cols()) continue;
+    const VectorXd change = -qr.solve(residuals);  // in scales: beyond one, the first order says nothing
+    if ((change.array().abs() > 1).any()) continue;
+    const double left = report.fitted->value - residuals.squaredNorm() + (residuals + beside * change).squaredNorm();
+    if (!(report.fitted->value - left >= kLeastMended * too_much)) continue;
+    const MatrixXd covariance = (beside.transpose() * beside).inverse();
+    FitHint hint{{}, left};
+    for (std::size_t k = 0; k < candidate.inputs.size(); ++k) {
+      const EstimatedInput& input = candidate.inputs[k];
+      const auto i = static_cast<Index>(k);
+      hint.values.push_back(
+          {input.name, input.unit, input.start + change[i] * input.scale, std::sqrt(covariance(i, i)) * input.scale});
+    }
+    hints.push_back(std::move(hint));
+  }
+  // Two numbers must leave clearly less than one does.
+  std::ranges::sort(hints, {},
+                    [](const FitHint& hint) { return hint.chi_squared + 4 * static_cast<double>(hint.values.size()); });
+  if (hints.size() > kMostHints) hints.resize(kMostHints);
+  return hints;
+}
+
+}  // namespace earthtop::measure
