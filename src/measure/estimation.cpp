@@ -60,6 +60,22 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
   }
 }
 
+/// The inputs of a search that ended at the end of their ranges, beyond which there is no such scenario: "; latitude_deg is at the end of
+/// its range"
+std::string at_the_end_of_a_range(const EstimatedInputs& inputs, const std::vector<double>& values) {
+  constexpr double kNear = 1e-3;  // in scales
+  std::vector<std::string> names;
+  for (std::size_t j = 0; j < values.size(); ++j)
+    for (const double step : {kNear, -kNear}) {
+      std::vector<double> moved = values;
+      moved[j] += step * inputs.list()[j].scale;
+      if (!inputs.scene(moved)) names.push_back(inputs.list()[j].name);
+    }
+  if (names.empty()) return "";
+  return fmt::format("; {} {} at the end of {} range", fmt::join(names, ", "), names.size() == 1 ? "is" : "are",
+                     names.size() == 1 ? "its" : "their");
+}
+
 /// Whether the motions part: a residual of an angle is above a quarter turn, and no error of measurement.
 bool is_false_minimum(const std::vector<MeasurementResidual>& residuals, double chi_squared) {
   constexpr double kErrors = 10;  // standard errors
@@ -100,6 +116,7 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
     report.fit_reason = names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
                                           : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));
   }
+  if (fit.outcome == FitOutcome::not_converged) report.fit_reason += at_the_end_of_a_range(inputs, fit.parameters);
   if (fit.outcome != FitOutcome::converged) return;
   std::vector<double> residuals;
   if (!problem.residuals_at(fit.parameters, residuals)) {

@@ -18,7 +18,7 @@ constexpr int kStartsOfSpan = 24;
 constexpr double kMostWorkOfSpan = 40;  // motions
 constexpr double kMoved = 0.1;          // largest change of another start, in scales
 constexpr int kStarts = 8;              // other starts
-constexpr double kMostWork = 1500;      // motions after which no other start is tried
+constexpr double kMostWork = 600;       // motions after which no other start is tried
 
 class Search {
  public:

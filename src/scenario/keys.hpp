@@ -155,7 +155,8 @@ void instrument_keys(Codec& codec, S& instrument) {
     codec.key(instrument_key(kInstrument[i].pointer), instrument.value[i]);
     codec.sparse(instrument_key(kInstrument[i].standard_error), instrument.standard_error[i]);
   }
-  for (std::size_t i = 0; i < kInstrumentScales; ++i) codec.key(instrument_key(kReadScales[i].reversed), instrument.reversed[i]);
+  for (std::size_t i = 0; i < kInstrumentScales; ++i)
+    codec.key(instrument_key(kReadScales[i].reversed), instrument.reversed[i]);
 }
 
 // -- rotor

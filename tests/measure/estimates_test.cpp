@@ -277,6 +277,7 @@ TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {
       compare_with_measurement(shipped("free-gyro"), {{"/site/latitude_deg", "89"}}, read(csv), {{"latitude_deg"}});
   EXPECT_EQ(report.fit, FitOutcome::not_converged);
   EXPECT_NE(report.fit_reason.find("beyond a number's range"), std::string::npos) << report.fit_reason;
+  EXPECT_TRUE(report.fit_reason.ends_with("; latitude_deg is at the end of its range")) << report.fit_reason;
   EXPECT_FALSE(report.agrees());
 }
 

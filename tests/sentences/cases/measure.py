@@ -32,6 +32,9 @@ def gyro_tilt_deg(t_s):
 
 OFF_ZERO = "t_s,azimuth_deg,azimuth_se_deg,tilt_deg,tilt_se_deg\n" + "".join(
     f"{t},{gyro_azimuth_deg(t) + 0.5},0.001,{gyro_tilt_deg(t)},0.001\n" for t in range(0, 60, 3))  # the circle's zero is wrong
+BEYOND = "t_s,azimuth_deg,azimuth_se_deg,tilt_deg,tilt_se_deg\n" + "".join(  # as if the pole were passed, at 93 degrees
+    f"{t},{math.degrees(math.atan2(math.cos(OMEGA * t), -math.sin(OMEGA * t) * math.sin(math.radians(93))))},6e-4,"
+    f"{math.degrees(math.acos(math.sin(OMEGA * t) * math.cos(math.radians(93))))},6e-4\n" for t in range(60, 660, 60))
 OPPOSITE = "t_s,azimuth_deg,azimuth_se_deg\n" + "".join(f"{t},{90 + 180 * (t // 3 % 2)},0.01\n" for t in range(0, 60, 3))
 
 
@@ -133,6 +136,9 @@ CASES = [
              holds=lambda text: "leaves angles off by more than a quarter turn: it is no answer, and says nothing of errors" in text),
     compared("--estimate tilt_deg --priors", "Prior /instrument/clock_rate did not enter: it is not estimated; add --estimate "
              "/instrument/clock_rate to use it", TILTS, status=1, set={"/uncertainty": {"tilt_deg": 1}, "/instrument/clock_rate_se": 0.1}),
+
+    compared("--estimate latitude_deg", "latitude_deg is at the end of its range", BEYOND, scenario=GYRO, status=1,
+             set={"/site/latitude_deg": 89, "/motion/duration_s": 600, "/headline": None}),
 
     # agreement; one value 3 and 3.3 standard errors off
     compared("", "As given chi-squared 9 of 1 degree of freedom, p-value 0.0027 Agreement yes", azimuth(90.03), scenario=GYRO,
