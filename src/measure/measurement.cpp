@@ -151,6 +151,11 @@ void note_correlated_errors(MeasurementReport& report) {
 
 void add_notes(MeasurementReport& report) {
   note_correlated_errors(report);
+  if (report.search.spans > 0 && report.scatters_more())
+    report.notes.emplace_back(
+        "the start was far off, and the residuals scatter by more than their errors: the minimum may be a false one, and its "
+        "error "
+        "bars then mean nothing; start nearer, or estimate what a hint names");
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
   if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
     report.notes.emplace_back(

@@ -128,7 +128,10 @@ CASES = [
              holds=lambda text: '"gravity_m_s2": 9.80' in text and '"gravity_anomaly_m_s2"' not in text),
 
     # a fit that is far off: its ways, what would mend it, and a minimum that is none
-    compared("--estimate tilt_deg", "; 2 ways were tried, and the lowest of 2 minima taken", OFF_ZERO, scenario=GYRO, status=1),
+    compared("--estimate tilt_deg", ["; 2 ways were tried, and the lowest of 2 minima taken",
+                                     "Note the start was far off, and the residuals scatter by more than their errors: the minimum may be "
+                                     "a false one, and its error bars then mean nothing; start nearer, or estimate what a hint names"],
+             OFF_ZERO, scenario=GYRO, status=1, unless={"/instrument/azimuth_zero_deg": 0.5}),
     compared("--estimate tilt_deg", "would leave chi-squared", OFF_ZERO, scenario=GYRO, status=1,
              holds=lambda text: near(text, r"Hint /instrument/azimuth_zero_deg = # ±", 0.5)),
     compared("--estimate rotation_rate_rad_s",
