@@ -237,6 +237,20 @@ TEST(GimbalEquations, LaboratoryTorquesAccountForTheEarth) {
   }
 }
 
+// The attitude, by quaternions, is that of the turns about the outer axis, by the skew, and about the inner axis.
+TEST(GimbalEquations, AttitudeIsThatOfTheTurnsAboutBothAxes) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const OfPoints scene(seed);
+    const Gimbals<Wide>& gimbals = scene.model().gimbals;
+    const Wide outer = scene.q()[0], inner = scene.q()[1], skew = real::atan2(gimbals.skew_sin, gimbals.skew_cos);
+    const auto about = [](int axis, const Wide& angle) { return turn_matrix(Vec3<Wide>(Vec3<Wide>::Unit(axis)), angle); };
+    const Mat3<Wide> expected = gimbals.R_P0 * about(2, outer) * about(0, skew) * about(1, inner);
+    const Mat3<Wide> attitude = rotation_matrix(gimbal_attitude(gimbals, outer, inner));
+    for (int i = 0; i < 9; ++i) expect_near(attitude(i / 3, i % 3), expected(i / 3, i % 3), "attitude");
+  }
+}
+
 // The ledger solves for the accelerations by Newton and Euler. Its residual holds them against the bearings' own torques.
 TEST(GimbalEquations, LedgerCloses) {
   constexpr double kRoundingOfTorques = 1e-30;  // of torques of the size of 10, in 34 digits
