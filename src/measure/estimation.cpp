@@ -127,9 +127,8 @@ void fit_estimates(MeasurementReport& report, const Measurement& measurement, co
   if (is_false_minimum(trials.latest, fit.chi_squared)) {
     report.fit = FitOutcome::false_minimum;
     report.fit_reason = fmt::format(
-        "the least sum of squares that was found, {:.6g}, leaves angles off by more than a quarter turn: it is no answer, and "
-        "says "
-        "nothing of errors",
+        "the least sum of squares that was found, {:.6g}, leaves angles off by more than a quarter turn: it is no answer, "
+        "and says nothing of errors",
         fit.chi_squared);
     return;
   }

@@ -34,13 +34,14 @@ class DerivativesAtFit {
     Trials trials{report_.predictions, 1 / expected_derivatives(list.size()), 0, {}};
     FitProblem problem = prediction_problem(inputs, measurement_, report_.residuals, times_s_, watch_, trials);
     problem.whitening = whitening_;
-    std::vector<double> u(list.size(), 1);
+    std::vector<double> at = problem.start;
     for (std::size_t j = 0; j < fitted; ++j) {
-      u[j] += (*report_.estimates[j].estimate - list[j].start) / list[j].scale;
+      at[j] = *report_.estimates[j].estimate;
       for (const Prior& prior : report_.priors)
         if (prior.input == list[j].name) problem.priors.push_back({j, prior.standard_error});
     }
     ScaledProblem scaled(problem);
+    const std::vector<double> u = scaled.scaled(at);
     Eigen::MatrixXd J(scaled.residuals(), list.size() - begin);
     Eigen::VectorXd column;
     for (std::size_t j = begin; j < list.size(); ++j) {

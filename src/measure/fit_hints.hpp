@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What would mend a bad fit: numbers of the instrument and of the top that were not fitted, each tried in first order.
+/// Hints at what would mend a bad fit: numbers of the instrument and of the top that were not fitted, each tried in first order.
 #pragma once
 
 #include <Eigen/Core>

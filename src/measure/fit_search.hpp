@@ -2,8 +2,6 @@
 /// A fit that finds its way from a start that is far off.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <vector>
 
 #include "earthtop/measure/measurement.hpp"

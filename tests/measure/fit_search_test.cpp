@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRpm = test::kPi / 30;
 
-/// The scenario of a toy gyroscope with air drag. @param more  text of its release, beside the tilt and the azimuth
+/// The scenario of a toy gyroscope with air drag.
 ScenarioSource toy(double spin_rpm, double disc_radius_m, double lever_m) {
   return {"toy.json", fmt::format(R"({{"name": "toy", "site": {{"latitude_deg": 52, "gravity_m_s2": 9.8128}},
     "body": {{"mass_kg": 0.12, "center_of_mass_m": [0, 0, {}],

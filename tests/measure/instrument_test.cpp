@@ -18,7 +18,7 @@ using test::kDegree;
 
 constexpr double kRate = 0.1;  // of the Earth, rad/s
 
-/// What the circles, the clock and the mount of an instrument do.
+/// The circles, the clock and the mount of an instrument.
 struct Made {
   double azimuth_zero_deg = 0, azimuth_sense = 1, tilt_zero_deg = 0, tilt_sense = 1;
   Vec3<double> turn_deg = Vec3<double>::Zero();

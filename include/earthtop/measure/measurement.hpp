@@ -252,7 +252,7 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
 /// @param by_scatter  take the standard error scaled by the scatter, and say so
 std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter);
 
-/// What would mend a bad fit: "/instrument/time_offset_s = 0.0036 ± 0.0001 s would leave chi-squared 1776, to first order; estimate it"
+/// Says what would mend a bad fit: "/instrument/time_offset_s = 0.0036 ± 0.0001 s would leave chi-squared 1776, to first order; estimate it"
 std::string hint_sentence(const FitHint& hint);
 
 /// "5.16e-5 ± 0.30e-5": a value and its standard error, both down to the error's second digit.

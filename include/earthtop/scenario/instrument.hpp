@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What lies between a motion and the numbers that are written down: the mount of a camera, the zero and the sense of a scale, a
+/// The instrument between a motion and the numbers that are written down: the mount of a camera, the zero and the sense of a scale, a
 /// clock. No motion depends on it; comparisons with measurements and plans of them do.
 #pragma once
 
