@@ -43,7 +43,7 @@ const SummaryMember* compared_member(const std::string& path) {
 /// Gives the sum of both results' error bounds on a figure, in the figure's unit; none where a bound is missing.
 class FigureErrors {
  public:
-  FigureErrors(const Comparand& a, const Comparand& b) {
+  FigureErrors(const Comparand& a, const Comparand& b) : a_(&a), b_(&b) {
     const auto sum = [&](const std::string& pointer) -> std::optional<double> {
       const auto x = a.number(pointer), y = b.number(pointer);
       return x && y ? std::optional(*x + *y) : std::nullopt;
@@ -67,6 +67,20 @@ class FigureErrors {
 
   /// @param path  for an invariant's figure: tells which invariant's scale the error has
   std::optional<double> of(FigureKind kind, const std::string& path, const Comparand& reference) const {
+    const std::optional<double> error = of_kind(kind, path, reference);
+    return error ? std::optional(std::max(*error, of_largest(path))) : error;
+  }
+
+ private:
+  /// What both results state as the bound on a largest value, in whose name it is; 0 for another figure, and where none is stated.
+  double of_largest(std::string path) const {
+    const std::size_t at = path.find("_max_");
+    if (at == path.npos) return 0;
+    path.replace(at, std::string_view("_max_").size(), "_max_bound_");
+    std::ranges::replace(path, '.', '/');
+    return a_->number('/' + path).value_or(0) + b_->number('/' + path).value_or(0);
+  }
+  std::optional<double> of_kind(FigureKind kind, const std::string& path, const Comparand& reference) const {
     // An error of the axis causes an error of its azimuth that is larger by 1 / sin(tilt), but no summary states the tilt. The
     // ratio of the largest azimuth drift to that of the axis is used instead, with a factor for rows nearer to the vertical.
     const double steeper = kNearVertical * (axis_drift_rad_ > 0 ? std::max(1.0, azimuth_rad_ / axis_drift_rad_) : 1);
@@ -90,7 +104,6 @@ class FigureErrors {
     }
   }
 
- private:
   static constexpr double kNearVertical = 10;
   static constexpr double kRounding = 1e-12;  // thousands of steps with some roundings each
 
@@ -109,6 +122,7 @@ class FigureErrors {
     return number < events_.size() ? events_[number] : std::nullopt;
   }
 
+  const Comparand *a_, *b_;
   std::optional<double> axis_, attitude_drift_, attitude_, threshold_time_, trend_, tip_;
   std::vector<std::optional<double>> events_;
   double tip_drift_m_ = 0, axis_drift_rad_ = 0, final_rad_ = 0, azimuth_rad_ = 0, ratio_ = 0;

@@ -10,6 +10,7 @@
 #include "compare/pairing.hpp"
 #include "compare/survey.hpp"
 #include "compare/tell.hpp"
+#include "compare/tolerances.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/real.hpp"
 #include "input/node.hpp"
@@ -230,7 +231,10 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
     const Measure& measure = table_.measures[i];
     const bool in_reference = reference.has(measure), in_candidate = candidate.has(measure);
     if (!in_reference && !in_candidate) continue;
-    const double effect = measure.effect == "rates_rad_s" ? known.rate_effect_rad_s : largest_of(measure.effect);
+    double effect = measure.effect == "rates_rad_s" ? known.rate_effect_rad_s : largest_of(measure.effect);
+    // A part of the drift that vanishes for reasons of symmetry is the rounding of the whole drift.
+    if (measure.effect.starts_with("drift_") && measure.effect.ends_with("_rad"))
+      effect = std::max(effect, kRoundingOfSize * largest_of("drift_axis_rad"));
     const auto rule = rule_of(measure, options_.tolerances, context_.same_computation, effect);
     if (in_reference && in_candidate && rule) {
       judges_.emplace_back(measure, *rule, known.largest[i], effect, options_.with_curves);

@@ -19,7 +19,6 @@ using namespace input;
 
 constexpr double kOfEffect = 1e-3;        // part of the Earth's effect; a larger difference could hide the effect
 constexpr double kNoEffect = 1e-6;        // where there is no such effect: in rad, or as part of the quantity's size
-constexpr double kRounding = 1e-12;       // part of a quantity's size: thousands of roundings
 constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 10;  // largest ratio of two errors
 constexpr double kTorque = 1e-9;          // part of a torque's largest value: many times the state's error
@@ -41,14 +40,14 @@ bool is_exact(const Measure& measure) { return measure.kind == MeasureKind::flag
 std::optional<Rule> regression_rule(const Measure& measure, bool same_computation) {
   if (is_error(measure)) return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (is_exact(measure)) return Rule{};
-  if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRounding, 0, kSameOfRateBounds, ""};
+  if (same_computation && measure.bound == BoundKind::rates) return Rule{0, kRoundingOfSize, 0, kSameOfRateBounds, ""};
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, ""};
   if (measure.owner == RowOwner::contact && measure.bound == BoundKind::none) return Rule{0, kContact, 0, 0, ""};
   switch (measure.kind) {
     case MeasureKind::attitude:
     case MeasureKind::direction: return Rule{kRoundingAngle, 0, 0, 1, ""};
-    case MeasureKind::vector: return Rule{0, measure.bound == BoundKind::none ? kTorque : kRounding, 0, 1, ""};
-    default: return Rule{0, kRounding, 0, 1, ""};
+    case MeasureKind::vector: return Rule{0, measure.bound == BoundKind::none ? kTorque : kRoundingOfSize, 0, 1, ""};
+    default: return Rule{0, kRoundingOfSize, 0, 1, ""};
   }
 }
 
@@ -68,10 +67,10 @@ std::optional<Rule> regression_rule(FigureKind kind, bool same_computation) {
   if (kind == FigureKind::error)
     return same_computation ? std::optional(Rule{0, 0, 0, 0, "", kOrderOfMagnitude}) : std::nullopt;
   if (kind == FigureKind::conserved) return Rule{0, 0, 0, 1, ""};
-  const double beside = kind == FigureKind::input ? kRounding : kind == FigureKind::derived ? kDerived : 0;
+  const double beside = kind == FigureKind::input ? kRoundingOfSize : kind == FigureKind::derived ? kDerived : 0;
   if (same_computation) return Rule{0, kSame, 0, kSameOfBounds, "", 0, beside};
   if (beside > 0) return Rule{0, beside, 0, 0, "", 0, beside};
-  return Rule{kind == FigureKind::attitude ? kRoundingAngle : 0, kind == FigureKind::attitude ? 0 : kRounding, 0, 1, ""};
+  return Rule{kind == FigureKind::attitude ? kRoundingAngle : 0, kind == FigureKind::attitude ? 0 : kRoundingOfSize, 0, 1, ""};
 }
 
 std::optional<Rule> physics_rule(FigureKind kind) {
@@ -129,10 +128,10 @@ void decode_rules(const Node& quantities, Findings& findings, Tolerances& tolera
                                    [&](const Measure& measure) { return measure.name == given.key; });
     if (!known) {
       std::string names;
-      for (const Measure& measure : trajectory_table().measures) names += fmt::format("{}, ", measure.name);
-      for (const Measure& measure : torques_table().measures) names += fmt::format("{}, ", measure.name);
+      for (const Measure& measure : trajectory_table().measures) names += fmt::format(", {}", measure.name);
+      for (const Measure& measure : torques_table().measures) names += fmt::format(", {}", measure.name);
       findings.add(given.key_place, pointer,
-                   fmt::format("is not a known quantity; known are {}and the dotted paths of summary.json", names));
+                   fmt::format("is not a known quantity; known are the dotted paths of summary.json{}", names));
       continue;
     }
     if (given.kind != JsonKind::object) {

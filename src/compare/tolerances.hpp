@@ -12,6 +12,9 @@
 
 namespace earthtop::compare {
 
+/// A part of a quantity's size that rounding may change: thousands of roundings.
+inline constexpr double kRoundingOfSize = 1e-12;
+
 /// A tolerance is the largest of: absolute; relative x the quantity's scale; effect x the Earth's effect on it; bounds x the
 /// sum of both error bounds.
 struct Rule {

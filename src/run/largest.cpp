@@ -33,6 +33,20 @@ class Through {
     }
     return sum;
   }
+  /// How much larger than the values' errors that of the polynomial may be: the sum of the sizes of Lagrange's polynomials. Between
+  /// the nodes in the middle it is some 2, and errors are alike there, so that it counts as 1.
+  double amplification(double x) const {
+    const auto last = static_cast<double>(count_ - 1);
+    if (x >= last / 4 && x <= 3 * last / 4) return 1;
+    double sum = 0;
+    for (std::size_t k = 0; k < count_; ++k) {
+      double part = 1;
+      for (std::size_t i = 0; i < count_; ++i)
+        if (i != k) part *= (x - static_cast<double>(i)) / (static_cast<double>(k) - static_cast<double>(i));
+      sum += std::abs(part);
+    }
+    return sum;
+  }
 
  private:
   std::size_t count_;
@@ -96,7 +110,9 @@ Largest top_near(std::span<const double> times_s, std::span<const double> values
     }
     if (root == x) return top;
     top.error = std::abs(value - first_value);
-    if (value > top.value) top.value = value, top.t_s = times_s[i] + (root - x) * step;
+    if (!(value > top.value)) continue;
+    top.value = value, top.t_s = times_s[i] + (root - x) * step;
+    top.amplified = polynomial.amplification(root);
   }
   return top;
 }

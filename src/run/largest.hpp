@@ -14,6 +14,7 @@ struct Largest {
   double value = 0;
   double error = 0;         ///< estimate of the error of `value`; 0 where a look shows it
   std::size_t nearest = 0;  ///< number of the nearest look
+  double amplified = 1;  ///< how often an error of the looks is in `value`, at most: more than once near the end of the looks
 };
 
 /// The largest value of a function that is known at evenly spaced times (s).

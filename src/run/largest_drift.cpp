@@ -85,7 +85,7 @@ class Search {
       const double value = one.value(row_cast<double>(*row));
       // A polynomial that did not resolve the motion may have led astray: the nearest look is then larger.
       if (value >= one.value(result.looks[one.largest->nearest]))
-        one.largest->value = value, one.largest->error = 0;
+        one.largest->value = value, one.largest->error = 0, one.largest->amplified = 1;
       else if (a_window_ == 0)
         one.largest = Largest{result.looks[one.largest->nearest].t_s, one.value(result.looks[one.largest->nearest]),
                               one.largest->error, one.largest->nearest};
@@ -313,7 +313,10 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   const Search search(source, result, sought);
 
   // A row that shows more than the search has found, as rounding may, counts.
-  const auto axis_bound = [&](const Largest& largest) { return judged_at(judged, largest.t_s).axis_bound_rad + largest.error; };
+  const auto bound_with = [](double of_looks, const Largest& largest) { return largest.amplified * of_looks + largest.error; };
+  const auto axis_bound = [&](const Largest& largest) {
+    return bound_with(judged_at(judged, largest.t_s).axis_bound_rad, largest);
+  };
   if (const auto& found = sought[axis].largest; found && found->value >= drift.axis_max_rad) {
     drift.axis_max_rad = found->value, drift.axis_max_at_s = found->t_s, drift.axis_max_bound_rad = axis_bound(*found);
     if (const ExtendedDriftRow* row = search.exact(found->t_s); row != nullptr && !result.extended_rows.empty())
@@ -328,19 +331,19 @@ void assess_largest(const LookSource& source, std::span<const JudgedLook> judged
   if (has_tip)
     if (const auto& found = sought[tip].largest; found && found->value >= *drift.tip_max_m) {
       drift.tip_max_m = found->value, drift.tip_max_at_s = found->t_s;
-      drift.tip_max_bound_m = judged_at(judged, found->t_s).tip_bound_m + found->error;
+      drift.tip_max_bound_m = bound_with(judged_at(judged, found->t_s).tip_bound_m, *found);
     }
   if (has_rotor)
     if (const auto& found = sought[rotor].largest; found && found->value >= *drift.rotor_axis_max_rad) {
       const JudgedLook& at = judged_at(judged, found->t_s);
       drift.rotor_axis_max_rad = found->value, drift.rotor_axis_max_at_s = found->t_s;
-      drift.rotor_axis_max_bound_rad = at.watched_axis_bound_rad() + found->error;
+      drift.rotor_axis_max_bound_rad = bound_with(at.watched_axis_bound_rad(), *found);
     }
   const auto take_angle = [&](const std::optional<Largest>& found, double JudgedLook::OfGimbals::*bound,
                               DriftSummary::OfAngle& angle) {
     if (!found || found->value < angle.max_rad) return;
     angle.max_rad = found->value, angle.max_at_s = found->t_s;
-    angle.max_bound_rad = (*judged_at(judged, found->t_s).gimbals).*bound + found->error;
+    angle.max_bound_rad = bound_with((*judged_at(judged, found->t_s).gimbals).*bound, *found);
   };
   if (drift.outer_angle) {
     take_angle(sought[angles].largest, &JudgedLook::OfGimbals::outer_bound_rad, *drift.outer_angle);
