@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "integrate/closed_form_motion.hpp"
+#include "integrate/driven_axis_motion.hpp"
 #include "integrate/long_horizon_motion.hpp"
 #include "integrate/motion_system.hpp"
 
@@ -62,6 +63,9 @@ MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const Inte
   if (problem.model.kind == SceneKind::gyrostat)
     return integrate_motion_of<T, GeneralMotionSystem<T, Observer::body, SceneKind::gyrostat>>(problem, options, watch);
   const bool reduced = takes_reduced_form(is_reducible(problem.model), options);
+  if constexpr (std::is_same_v<T, double>)
+    if (sought == MotionSought::symmetry_axis && has_axis_motion(problem.model, options))
+      return integrate_motion_of<double, DrivenAxisMotion>(problem, options, watch);
   // In scenes that are not plain only the general form in body axes has a series.
   if (options.method == Method::taylor && problem.model.kind != SceneKind::plain)
     return integrate_general_motion<T, Observer::body>(problem, options, watch);

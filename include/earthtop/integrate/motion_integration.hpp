@@ -45,7 +45,15 @@ bool takes_reduced_form(const Model<T>& model, const IntegrationOptions& options
   return takes_reduced_form(is_reducible(model) || driven, options);
 }
 
-/// The part of a motion that is wanted. In the reduced form a symmetric top's axis takes six variables, its attitude nine.
+/// Whether the axis of a driven symmetric top has equations of its own: for body axis 3, in double and by Taylor series. Dry friction,
+/// which may bring a top to rest, has none.
+inline bool has_axis_motion(const Model<double>& model, const IntegrationOptions& options) {
+  return options.method == Method::taylor && options.form != ModelForm::general && model.kind == SceneKind::full &&
+         is_reducible_when_driven(model) && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 && model.applied.coulomb == 0;
+}
+
+/// The part of a motion that is wanted. In the reduced form a symmetric top's axis takes six variables, its attitude nine; with applied
+/// torques, a tide or a platform its axis takes seven.
 enum class MotionSought { attitude, symmetry_axis };
 
 /// The motion at one instant; SI units.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "earthtop/model/model.hpp"
+#include "integrate/driven_axis_equations.hpp"
 #include "integrate/taylor/operations.hpp"
 
 namespace earthtop {
@@ -17,5 +18,9 @@ extern template taylor::Operations<double> record_motion(const Model<double>&, s
 extern template taylor::Operations<long double> record_motion(const Model<long double>&, std::span<const long double>,
                                                               long double);
 extern template taylor::Operations<float128> record_motion(const Model<float128>&, std::span<const float128>, float128);
+
+/// The equations of a symmetric top's axis (driven_axis_equations.hpp).
+taylor::Operations<double> record_axis_motion(const DrivenAxisEquations<double>& equations, std::span<const double> x,
+                                              double t);
 
 }  // namespace earthtop
