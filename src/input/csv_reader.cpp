@@ -87,7 +87,7 @@ CsvReader::CsvReader(std::string file, CsvFormat format, Descriptor descriptor, 
   std::unordered_set<std::string_view> names;
   for (const std::string& name : header_)
     if (!name.empty() && !names.insert(name).second)
-      refuse(fmt::format("column \"{}\" occurs twice in the header", excerpt(name)));
+      refuse(fmt::format("column \"{}\" occurs twice in the header; rename one, or leave it out", excerpt(name)));
 }
 
 std::size_t CsvReader::find(std::string_view column) const {
@@ -114,7 +114,8 @@ bool CsvReader::next() {
                        header_.size(),
                        format_.delimiter == ',' && cells_.size() > header_.size() && cells_.size() <= most
                            ? "; are there decimal commas? write 0.1, not 0,1"
-                           : ""));
+                       : cells_.size() < header_.size() ? "; every column needs a cell in each row, if an empty one"
+                                                        : ""));
   for (std::size_t i = 0; i < wanted_.size(); ++i) {
     const std::string_view cell = cells_[wanted_[i]];
     if (!words_[i].empty() && !cell.empty()) {
@@ -127,7 +128,7 @@ bool CsvReader::next() {
       kinds_[i] = CellKind::number;
     } else if (!parse(cell, numbers_[i], kinds_[i]))
       refuse(fmt::format("column {}: \"{}\" is not a number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
-                         has_decimal_comma(cell) ? kPointHint : ""),
+                         has_decimal_comma(cell) ? kPointHint : "; write it as 0.1 or 1e-5, without a unit"),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
   return true;

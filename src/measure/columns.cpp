@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <numbers>
 #include <optional>
 
@@ -41,6 +42,12 @@ std::string in_all_units(MeasuredQuantity quantity, const std::string& stem) {
   return names;
 }
 
+bool is_number(const std::string& name) {
+  double number = 0;
+  const char* const end = name.data() + name.size();
+  return std::from_chars(name.data(), end, number).ptr == end;
+}
+
 class HeaderReader {
  public:
   explicit HeaderReader(const std::vector<std::string>& header) : header_(header) {}
@@ -74,6 +81,10 @@ class HeaderReader {
       }
     names.insert(names.end(), std::begin(kAxisColumns), std::end(kAxisColumns));
     const std::vector<std::string_view> candidates(names.begin(), names.end());
+    if (std::ranges::all_of(header_, is_number)) {
+      columns_.errors.emplace_back("the first line has numbers; it must name the columns, as t_s,azimuth_deg,azimuth_se_deg");
+      return;
+    }
     for (const std::string& name : header_) {
       if (name.starts_with('_') || std::find(names.begin(), names.end(), name) != names.end()) continue;
       if (columns_.errors.size() >= input::kMostDiagnostics) {  // it is counted, and not shown

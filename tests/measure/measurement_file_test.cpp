@@ -49,6 +49,20 @@ TEST_F(MeasurementTest, RefusalsSayWhereAndWhatInstead) {
       {"t_s,tilt_deg,tilt_se_rad\n0,180,1\n1,180.1,1\n", 3, 3, "at most 180 deg"},
       {"t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n0,1,0,0.1,1\n", 2, 3, "this one has the length 1.00499"},
       {"t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_rad\n0,1,,0,1\n", 2, 3, "give all or none"},
+      {"0,90,0.1\n1,90,0.1\n", 1, 1, "it must name the columns, as t_s,azimuth_deg"},
+      {"time,azimuth_deg,azimuth_se_deg\n0,1,1\n", 1, 1, "unknown column \"time\"; allowed are t_s"},
+      {"t_ms,azimuth_deg,azimuth_se_deg\n0,1,1\n", 1, 1, "did you mean \"t_s\"?"},
+      {"t_s,azimuth,azimuth_se_deg\n0,1,1\n", 1, 1, "did you mean \"azimuth_"},
+      {"t_s,rotor_rate,rotor_rate_se_rpm\n0,1,1\n", 1, 1, "did you mean \"rotor_rate_rpm\"?"},
+      {"t_s,tilt_deg,tilt_deg,tilt_se_deg\n0,1,1,1\n", 1, 1, "occurs twice in the header; rename one"},
+      {header + "0,90\n", 2, 1, "every column needs a cell in each row"},
+      {header + "0,\"90,0.1\"\n", 2, 3, "write it as 0.1 or 1e-5"},
+      {header + "0,12 deg,0.1\n", 2, 3, "without a unit"},
+      {header + "0,0x10,0.1\n", 2, 3, "write it as 0.1 or 1e-5"},
+      {header + "0,1e999,0.1\n", 2, 3, "leave the cell empty"},
+      {header + "0,12,1e-400\n", 2, 6, "needs a standard error above 0"},
+      {header + "2e9,12,1\n", 2, 1, "t_s must be a number from 0, the release, to 1e+09 (s)"},
+      {header + "0,1,1\n" + header, 3, 1, "write it as 0.1 or 1e-5"},
   };
   for (const Case& c : cases) {
     const Diagnostic first = refusal(c.text).at(0);
