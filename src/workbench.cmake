@@ -42,6 +42,7 @@ add_library(earthtop-workbench
   compare/trust.cpp
   compare/update.cpp
   measure/columns.cpp
+  measure/compared_release.cpp
   measure/document.cpp
   measure/estimated_inputs.cpp
   measure/estimation.cpp
@@ -53,13 +54,18 @@ add_library(earthtop-workbench
   measure/fit_search.cpp
   measure/fitted_scenario.cpp
   measure/influences.cpp
+  measure/free_start.cpp
   measure/input_places.cpp
+  measure/joint_inputs.cpp
   measure/known_rate.cpp
   measure/measured_motion.cpp
+  measure/measured_start.cpp
   measure/measurement.cpp
   measure/prediction_problem.cpp
   measure/priors.cpp
+  measure/quotation.cpp
   measure/rate_finding.cpp
+  measure/releases_file.cpp
   measure/scaled_problem.cpp
   measure/seen_directions.cpp
   measure/sentences.cpp

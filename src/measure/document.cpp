@@ -28,31 +28,37 @@ Json chi_squared_json(const ChiSquared& chi_squared) {
 }
 
 Json estimate_json(const ParameterEstimate& estimate, bool by_scatter) {
-  return {{"name", estimate.name},
-          {"unit", estimate.unit},
-          {"start", estimate.start},
-          {"estimate", or_nothing(estimate.estimate)},
-          {"standard_error", or_nothing(estimate.standard_error)},
-          {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
-          {"sentence", estimate_sentence(estimate, by_scatter)},
-          {"finding", finding_json(estimate.finding)},
-          {"exact", exact_json(estimate.exact, estimate.said_error(by_scatter))}};
+  Json json = {{"name", estimate.name},
+               {"unit", estimate.unit},
+               {"start", estimate.start},
+               {"estimate", or_nothing(estimate.estimate)},
+               {"standard_error", or_nothing(estimate.standard_error)},
+               {"standard_error_scaled", or_nothing(estimate.standard_error_scaled)},
+               {"sentence", estimate_sentence(estimate, by_scatter)},
+               {"finding", finding_json(estimate.finding)},
+               {"exact", exact_json(estimate.exact, estimate.said_error(by_scatter))}};
+  put_release(json, estimate.release);
+  return json;
 }
 
 Json hint_json(const FitHint& hint) {
   Json values = Json::array();
-  for (const FitHint::Value& v : hint.values)
+  for (const FitHint::Value& v : hint.values) {
     values.push_back({{"name", v.name}, {"unit", v.unit}, {"value", v.value}, {"standard_error", v.standard_error}});
+    put_release(values.back(), v.release);
+  }
   return {{"inputs", values}, {"chi_squared", hint.chi_squared}, {"sentence", hint_sentence(hint)}};
 }
 
 Json prior_json(const Prior& prior) {
-  return {{"name", prior.name},
-          {"input", prior.input},
-          {"unit", prior.unit},
-          {"mean", prior.mean},
-          {"standard_error", prior.standard_error},
-          {"pull", or_nothing(prior.pull)}};
+  Json json = {{"name", prior.name},
+               {"input", prior.input},
+               {"unit", prior.unit},
+               {"mean", prior.mean},
+               {"standard_error", prior.standard_error},
+               {"pull", or_nothing(prior.pull)}};
+  put_release(json, prior.release);
+  return json;
 }
 
 /// The numbers of a residual, whose keys have the unit.
@@ -101,6 +107,66 @@ Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
     for (const CurvePoint& point : curve) json[column.name].push_back(point.*column.member);
   }
   return json;
+}
+
+Json quantities_json(const MeasurementReport& report) {
+  Json quantities = Json::array();
+  for (const auto& [quantity, values] : report.quantities)
+    quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
+  return quantities;
+}
+
+Json chi_squared_json(const FitReport& report) {
+  return {{"as_given", chi_squared_json(report.as_given)},
+          {"fitted", report.fitted ? chi_squared_json(*report.fitted) : Json(nullptr)}};
+}
+
+/// The parts of a document that are about one release.
+void put_release_of(Json& document, const MeasurementReport& report) {
+  document["scenario"] = {{"name", report.scenario_name}, {"sha256", report.scenario_sha256}};
+  document["file"] = report.file;
+  document["rows"] = report.rows;
+  document["quantities"] = quantities_json(report);
+}
+void put_prediction(Json& document, const MeasurementReport& report) {
+  document["prediction"] = {{"status", std::string(to_string(report.status))},
+                            {"reached_s", report.reached_s},
+                            {"verdict", report.verdict ? Json(std::string(to_string(*report.verdict))) : Json(nullptr)}};
+}
+void put_rows(Json& document, const MeasurementReport& report) {
+  Json residuals = Json::array();
+  for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
+  document["largest_residual"] = report.largest ? residual_json(report.residuals[*report.largest]) : Json(nullptr);
+  document["residuals_of"] = report.fitted ? "fitted" : "as_given";
+  document["residuals"] = residuals;
+  document["curve"] = curve_json(report.curve, report.curve_is_mean);
+  document["notes"] = report.notes;
+}
+
+Json quotation_json(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+void put_fit(Json& document, const FitReport& report) {
+  Json estimates = Json::array(), hints = Json::array(), priors = Json::array(), unused_priors = Json::array();
+  for (const ParameterEstimate& estimate : report.estimates)
+    estimates.push_back(estimate_json(estimate, report.scatters_more()));
+  for (const FitHint& hint : report.hints) hints.push_back(hint_json(hint));
+  for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
+  for (const UnusedPrior& prior : report.unused_priors)
+    unused_priors.push_back({{"name", prior.name}, {"reason", prior.reason}});
+  document["chi_squared"] = chi_squared_json(report);
+  document["fit"] = {{"outcome", std::string(to_string(report.fit))},
+                     {"reason", report.fit_reason},
+                     {"iterations", report.iterations},
+                     {"predictions", report.predictions},
+                     {"spans", report.search.spans},
+                     {"attempts", report.search.attempts},
+                     {"minima", report.search.minima}};
+  document["estimates"] = estimates;
+  document["correlation"] = report.correlation;
+  document["hints"] = hints;
+  document["priors"] = priors;
+  document["unused_priors"] = unused_priors;
+  document["correlation_time_s"] = report.correlation_time_s > 0 ? Json(report.correlation_time_s) : Json(nullptr);
 }
 
 double number_or_nan(const Json& json) {
@@ -153,51 +219,33 @@ MeasurementReport measurement_of(const Json& document) {
 
 std::string measurement_json(const MeasurementReport& report) {
   using namespace measure;
-  Json quantities = Json::array(), estimates = Json::array(), hints = Json::array(), residuals = Json::array(),
-       priors = Json::array(), unused_priors = Json::array();
-  for (const auto& [quantity, values] : report.quantities)
-    quantities.push_back({{"name", std::string(to_string(quantity))}, {"values", values}});
-  for (const ParameterEstimate& estimate : report.estimates)
-    estimates.push_back(estimate_json(estimate, report.scatters_more()));
-  for (const MeasurementResidual& residual : report.residuals) residuals.push_back(residual_json(residual));
-  for (const FitHint& hint : report.hints) hints.push_back(hint_json(hint));
-  for (const Prior& prior : report.priors) priors.push_back(prior_json(prior));
-  for (const UnusedPrior& prior : report.unused_priors)
-    unused_priors.push_back({{"name", prior.name}, {"reason", prior.reason}});
-  const Json document = {
-      {"$schema", "earthtop-measurement-1.json"},
-      {"scenario", {{"name", report.scenario_name}, {"sha256", report.scenario_sha256}}},
-      {"file", report.file},
-      {"rows", report.rows},
-      {"quantities", quantities},
-      {"agrees", report.agrees()},
-      {"least_p_value", MeasurementReport::kLeastPValue},
-      {"prediction",
-       {{"status", std::string(to_string(report.status))},
-        {"reached_s", report.reached_s},
-        {"verdict", report.verdict ? Json(std::string(to_string(*report.verdict))) : Json(nullptr)}}},
-      {"chi_squared",
-       {{"as_given", chi_squared_json(report.as_given)},
-        {"fitted", report.fitted ? chi_squared_json(*report.fitted) : Json(nullptr)}}},
-      {"fit",
-       {{"outcome", std::string(to_string(report.fit))},
-        {"reason", report.fit_reason},
-        {"iterations", report.iterations},
-        {"predictions", report.predictions},
-        {"spans", report.search.spans},
-        {"attempts", report.search.attempts},
-        {"minima", report.search.minima}}},
-      {"estimates", estimates},
-      {"correlation", report.correlation},
-      {"hints", hints},
-      {"priors", priors},
-      {"unused_priors", unused_priors},
-      {"correlation_time_s", report.correlation_time_s > 0 ? Json(report.correlation_time_s) : Json(nullptr)},
-      {"largest_residual", report.largest ? residual_json(report.residuals[*report.largest]) : Json(nullptr)},
-      {"residuals_of", report.fitted ? "fitted" : "as_given"},
-      {"residuals", residuals},
-      {"curve", curve_json(report.curve, report.curve_is_mean)},
-      {"notes", report.notes}};
+  Json document = {{"$schema", "earthtop-measurement-1.json"}};
+  put_release_of(document, report);
+  document["agrees"] = report.agrees();
+  document["least_p_value"] = FitReport::kLeastPValue;
+  put_prediction(document, report);
+  put_fit(document, report);
+  document["quotation"] = quotation_json(quotation(report));
+  put_rows(document, report);
+  return sealed_document(document);
+}
+
+std::string releases_json(const ReleasesReport& report) {
+  using namespace measure;
+  Json document = {
+      {"$schema", "earthtop-releases-1.json"}, {"agrees", report.agrees()}, {"least_p_value", FitReport::kLeastPValue}};
+  put_fit(document, report);
+  document["quotation"] = quotation_json(quotation(report));
+  document["notes"] = report.notes;
+  document["releases"] = Json::array();
+  for (const MeasurementReport& release : report.releases) {
+    Json of_release = Json::object();
+    put_release_of(of_release, release);
+    put_prediction(of_release, release);
+    of_release["chi_squared"] = chi_squared_json(static_cast<const FitReport&>(release));
+    put_rows(of_release, release);
+    document["releases"].push_back(std::move(of_release));
+  }
   return sealed_document(document);
 }
 

@@ -115,8 +115,8 @@ void EstimatedInputs::add(const std::string& name) {
     refuse_estimate(name, fmt::format("is not a number on which the motion or its readings depend; {}", kAllowedNames));
   const double start = number_at(pointer, name);
   // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.
-  ScenarioReport report = examine(document_, {{pointer, start}});
-  if (!report.scene) throw ScenarioError(std::move(report.errors), document_.file());
+  const std::vector<input::TreeChange> same = {{pointer, start}};
+  if (!varied_scene(document_, same)) throw ScenarioError(examine(document_, same).errors, document_.file());
   list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
 }
 
@@ -206,11 +206,11 @@ std::optional<Scene> EstimatedInputs::scene(const std::vector<double>& values) c
     else
       changes.push_back({list_[i].pointer, values[i]});
   }
-  const ScenarioReport varied = examine(document_, changes);
-  if (!varied.scene || !is_combined) return varied.scene;
-  Scenario changed = varied.scene->scenario();
+  std::optional<Scene> varied = varied_scene(document_, changes);
+  if (!varied || !is_combined) return varied;
+  Scenario changed = varied->scenario();
   turn(changed, values);
-  if (!reshape(changed, *varied.scene, values)) return std::nullopt;
+  if (!reshape(changed, *varied, values)) return std::nullopt;
   return resolve(std::move(changed));
 }
 

@@ -50,6 +50,8 @@ class EstimatedInputs {
                   const std::vector<std::string>& names, std::size_t most = 8);
 
   const std::vector<EstimatedInput>& list() const { return list_; }
+  /// The scene with the scenario's own values.
+  const Scene& base() const { return base_; }
 
   /// The scene with these values, in the order of the list; none where a value is out of its range.
   std::optional<Scene> scene(const std::vector<double>& values) const;

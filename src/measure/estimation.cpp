@@ -8,27 +8,53 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "error/gsl_errors.hpp"
 #include "measure/fit_search.hpp"
 #include "measure/measured_motion.hpp"
+#include "measure/measured_start.hpp"
 #include "measure/prediction_problem.hpp"
 #include "measure/weighted_fit.hpp"
 
 namespace earthtop::measure {
 
-ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, const std::vector<Prior>& priors,
-                          std::size_t fitted) {
+namespace {
+
+double sum_of_squares(const std::vector<MeasurementResidual>& residuals) {
+  double sum = 0;
+  for (const MeasurementResidual& residual : residuals) sum += residual.independent() * residual.independent();
+  return sum;
+}
+
+/// @param of_values  sum of squares of the residuals   @param values  their number
+ChiSquared chi_squared_from(double of_values, std::size_t values, const std::vector<Prior>& priors, std::size_t fitted) {
   const ReturnedGslErrors returned;
   ChiSquared chi_squared;
-  for (const MeasurementResidual& residual : residuals) chi_squared.value += residual.independent() * residual.independent();
   for (const Prior& prior : priors) chi_squared.of_priors += *prior.pull * *prior.pull;
-  chi_squared.value += chi_squared.of_priors;
-  chi_squared.degrees_of_freedom =
-      static_cast<std::int64_t>(residuals.size() + priors.size()) - static_cast<std::int64_t>(fitted);
+  chi_squared.value = of_values + chi_squared.of_priors;
+  chi_squared.degrees_of_freedom = static_cast<std::int64_t>(values + priors.size()) - static_cast<std::int64_t>(fitted);
   if (chi_squared.degrees_of_freedom > 0)
     chi_squared.p_value = gsl_cdf_chisq_Q(chi_squared.value, static_cast<double>(chi_squared.degrees_of_freedom));
   return chi_squared;
+}
+
+}  // namespace
+
+ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, const std::vector<Prior>& priors,
+                          std::size_t fitted) {
+  return chi_squared_from(sum_of_squares(residuals), residuals.size(), priors, fitted);
+}
+
+ChiSquared chi_squared_of(const std::vector<MeasurementReport>& releases, const std::vector<Prior>& priors,
+                          std::size_t fitted) {
+  double sum = 0;
+  std::size_t values = 0;
+  for (const MeasurementReport& release : releases) {
+    sum += sum_of_squares(release.residuals);
+    values += release.residuals.size();
+  }
+  return chi_squared_from(sum, values, priors, fitted);
 }
 
 void whiten(std::vector<MeasurementResidual>& residuals, const Whitening& whitening) {
@@ -38,13 +64,19 @@ void whiten(std::vector<MeasurementResidual>& residuals, const Whitening& whiten
   for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i].whitened = values[static_cast<Eigen::Index>(i)];
 }
 
-Whitening whitening_of(const MeasurementReport& report) {
-  return report.correlation_time_s > 0 ? Whitening(report.residuals, report.correlation_time_s, report.file) : Whitening();
+Whitening whitening_of(const MeasurementReport& release, double correlation_time_s) {
+  return correlation_time_s > 0 ? Whitening(release.residuals, correlation_time_s, release.file) : Whitening();
+}
+
+Whitening whitening_of(const ReleasesReport& report) {
+  Whitening whitening;
+  for (const MeasurementReport& release : report.releases) whitening.append(whitening_of(release, report.correlation_time_s));
+  return whitening;
 }
 
 namespace {
 
-void fill_estimates(MeasurementReport& report, const Fit& fit) {
+void fill_estimates(FitReport& report, const Fit& fit) {
   const double scatter = report.fitted->degrees_of_freedom > 0
                              ? std::sqrt(report.fitted->value / static_cast<double>(report.fitted->degrees_of_freedom))
                              : 1;
@@ -62,14 +94,20 @@ void fill_estimates(MeasurementReport& report, const Fit& fit) {
 
 /// The inputs of a search that ended at the end of their ranges, beyond which there is no such scenario: "; latitude_deg is at the end of
 /// its range"
-std::string at_the_end_of_a_range(const EstimatedInputs& inputs, const std::vector<double>& values) {
+std::string at_the_end_of_a_range(const std::vector<ComparedRelease>& releases, const JointInputs& inputs,
+                                  const std::vector<double>& values) {
   constexpr double kNear = 1e-3;  // in scales
   std::vector<std::string> names;
+  const auto exists = [&](const std::vector<double>& moved) {
+    for (std::size_t r = 0; r < releases.size(); ++r)
+      if (!releases[r].inputs().scene(inputs.values_of(r, moved))) return false;
+    return true;
+  };
   for (std::size_t j = 0; j < values.size(); ++j)
     for (const double step : {kNear, -kNear}) {
       std::vector<double> moved = values;
       moved[j] += step * inputs.list()[j].scale;
-      if (!inputs.scene(moved)) names.push_back(inputs.list()[j].name);
+      if (!exists(moved)) names.push_back(name_in_release(inputs.list()[j].name, inputs.list()[j].release));
     }
   if (names.empty()) return "";
   return fmt::format("; {} {} at the end of {} range", fmt::join(names, ", "), names.size() == 1 ? "is" : "are",
@@ -77,70 +115,102 @@ std::string at_the_end_of_a_range(const EstimatedInputs& inputs, const std::vect
 }
 
 /// Whether the motions part: a residual of an angle is above a quarter turn, and no error of measurement.
-bool is_false_minimum(const std::vector<MeasurementResidual>& residuals, double chi_squared) {
+bool is_false_minimum(const std::vector<MeasurementReport>& releases, double chi_squared) {
   constexpr double kErrors = 10;  // standard errors
-  return chi_squared > FitSearch::kDoubted * static_cast<double>(residuals.size()) &&
-         std::ranges::any_of(residuals, [](const MeasurementResidual& residual) {
-           return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2 &&
-                  std::abs(residual.normalised()) > kErrors;
-         });
+  std::size_t values = 0;
+  bool part = false;
+  for (const MeasurementReport& release : releases) {
+    values += release.residuals.size();
+    part = part || std::ranges::any_of(release.residuals, [](const MeasurementResidual& residual) {
+             return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2 &&
+                    std::abs(residual.normalised()) > kErrors;
+           });
+  }
+  return part && chi_squared > FitSearch::kDoubted * static_cast<double>(values);
+}
+
+std::string why_not_determined(const JointInputs& inputs, const std::vector<std::size_t>& undetermined) {
+  std::vector<std::string> names;
+  for (const std::size_t j : undetermined) names.push_back(name_in_release(inputs.list()[j].name, inputs.list()[j].release));
+  return names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
+                           : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));
+}
+
+/// Requires as many data as numbers. @throws ScenarioError
+void require_enough(const ReleasesReport& report, const JointInputs& inputs, std::size_t priors) {
+  std::size_t values = 0;
+  for (const MeasurementReport& release : report.releases) values += release.residuals.size();
+  if (values + priors >= inputs.list().size()) return;
+  throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(),
+                                                values, priors == 0 ? "" : fmt::format(" and {} priors", priors)));
+}
+
+/// Replaces the residuals of the scenarios' own motions by those of the fit. @returns whether they could be computed
+bool take_residuals(ReleasesReport& report, const std::vector<VariedRelease>& varied, const JointInputs& inputs,
+                    const std::vector<double>& values, const Watch& watch, Trials& trials) {
+  std::vector<std::vector<MeasurementResidual>> fitted;
+  for (std::size_t r = 0; r < varied.size(); ++r) {
+    const VariedRelease by_its_own_method{varied[r].inputs, varied[r].measurement};  // as a comparison with these values has it
+    auto residuals = varied_residuals(by_its_own_method, inputs.values_of(r, values), watch, trials);
+    if (!residuals) return false;
+    fitted.push_back(std::move(*residuals));
+  }
+  for (std::size_t r = 0; r < fitted.size(); ++r) report.releases[r].residuals = std::move(fitted[r]);
+  return true;
 }
 
 }  // namespace
 
 double expected_predictions(std::size_t parameters) { return 1 + 10 * static_cast<double>(parameters); }
 
-void fit_estimates(MeasurementReport& report, const Measurement& measurement, const EstimatedInputs& inputs, FoundPriors priors,
-                   const Watch& watch) {
-  const std::vector<double> times = measured_times(measurement);
-  if (report.residuals.size() + priors.used.size() < inputs.list().size())
-    throw ScenarioError(
-        "--estimate",
-        fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(), report.residuals.size(),
-                    priors.used.empty() ? "" : fmt::format(" and {} priors", priors.used.size())));
-  Trials trials{report.predictions, 1 / expected_predictions(inputs.list().size()), 0, {}};
-  FitProblem problem = prediction_problem(inputs, measurement, report.residuals, times, watch, trials);
+Eigen::MatrixXd fit_estimates(ReleasesReport& report, const std::vector<ComparedRelease>& releases, const JointInputs& inputs,
+                              FoundPriors priors, const Watch& watch) {
+  require_enough(report, inputs, priors.used.size());
+  std::vector<VariedRelease> varied;
+  for (std::size_t r = 0; r < releases.size(); ++r)
+    varied.push_back(varied_release(releases[r].inputs(), releases[r].measurement(), report.releases[r].residuals));
+  Trials trials{report.predictions, 1 / expected_predictions(inputs.list().size())};
+  FitProblem problem = prediction_problem(inputs, varied, watch, trials);
   problem.whitening = whitening_of(report);
   problem.priors = std::move(priors.of_fit);
-  for (const EstimatedInput& input : inputs.list())
+  for (const JointInput& input : inputs.list()) {
     report.estimates.push_back({input.name, input.unit, input.start, {}, {}, {}});
-  PartialProblems problems(problem, inputs, measurement, report.residuals, report.correlation_time_s, watch, trials);
-  const auto [fit, search] = search_fit(problems, report.as_given.value);
+    report.estimates.back().release = input.release;
+  }
+  PartialProblems problems(problem, inputs, varied, report.correlation_time_s, watch, trials);
+  const auto [fit, search] = search_fit(problems, report.as_given.value, start_by_precession(inputs, varied));
   report.fit = fit.outcome;
   report.search = search;
   report.iterations = fit.iterations;
   report.fit_reason = fit.reason;
-  if (fit.outcome == FitOutcome::not_determined) {
-    std::vector<std::string> names;
-    for (const std::size_t j : fit.undetermined) names.push_back(inputs.list()[j].name);
-    report.fit_reason = names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
-                                          : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));
-  }
-  if (fit.outcome == FitOutcome::not_converged) report.fit_reason += at_the_end_of_a_range(inputs, fit.parameters);
-  if (fit.outcome != FitOutcome::converged) return;
-  std::vector<double> residuals;
-  if (!problem.residuals_at(fit.parameters, residuals)) {
+  if (fit.outcome == FitOutcome::not_determined) report.fit_reason = why_not_determined(inputs, fit.undetermined);
+  if (fit.outcome == FitOutcome::not_converged) report.fit_reason += at_the_end_of_a_range(releases, inputs, fit.parameters);
+  if (fit.outcome != FitOutcome::converged) return {};
+  if (!take_residuals(report, varied, inputs, fit.parameters, watch, trials)) {
     // The fit has computed this prediction, so that only a request to stop can have ended it.
     report.fit = watch.asks_to_stop() ? FitOutcome::interrupted : FitOutcome::prediction_failed;
-    return;
+    return {};
   }
-  if (is_false_minimum(trials.latest, fit.chi_squared)) {
+  if (is_false_minimum(report.releases, fit.chi_squared)) {
+    for (std::size_t r = 0; r < varied.size(); ++r) report.releases[r].residuals = varied[r].residuals;
     report.fit = FitOutcome::false_minimum;
     report.fit_reason = fmt::format(
         "the least sum of squares that was found, {:.6g}, leaves angles off by more than a quarter turn: it is no answer, "
         "and says nothing of errors",
         fit.chi_squared);
-    return;
+    return {};
   }
-  report.residuals = std::move(trials.latest);
-  if (report.correlation_time_s > 0) whiten(report.residuals, problem.whitening);
+  if (report.correlation_time_s > 0)
+    for (MeasurementReport& release : report.releases)
+      whiten(release.residuals, whitening_of(release, report.correlation_time_s));
   for (std::size_t k = 0; k < priors.used.size(); ++k) {
     Prior& prior = priors.used[k];
     prior.pull = (fit.parameters[problem.priors[k].parameter] - prior.mean) / prior.standard_error;
   }
   report.priors = std::move(priors.used);
-  report.fitted = chi_squared_of(report.residuals, report.priors, inputs.list().size());
+  report.fitted = chi_squared_of(report.releases, report.priors, inputs.list().size());
   fill_estimates(report, fit);
+  return fit.jacobian;
 }
 
 }  // namespace earthtop::measure

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "earthtop/measure/exact_input.hpp"
-#include "measure/estimated_inputs.hpp"
+#include "measure/joint_inputs.hpp"
 
 namespace earthtop::measure {
 
@@ -28,7 +28,31 @@ class ExactInputs {
   /// Fitted inputs and exact ones; the latter begin at `fitted()`.
   const EstimatedInputs& all() const { return all_; }
   std::size_t fitted() const { return fitted_; }
-  std::size_t exact() const { return all_.list().size() - fitted_; }
+  /// The standard error of an exact input as the scenario states it, and an error of it that is not unusual, in its unit.
+  struct Knowledge {
+    std::optional<double> stated;
+    double usual = 0;
+  };
+  /// @param input  place in `all`
+  const Knowledge& knowledge(std::size_t input) const { return knowledge_[input - fitted_]; }
+
+ private:
+  EstimatedInputs all_;
+  std::size_t fitted_;
+  std::vector<Knowledge> knowledge_;
+};
+
+/// The fitted inputs of all releases and, behind them, those that are taken as exact.
+class JointExactInputs {
+ public:
+  /// @param releases  must live as long as this   @param shared  as for JointInputs
+  JointExactInputs(const std::vector<ExactInputs>& releases, const std::vector<std::string>& shared);
+
+  const JointInputs& all() const { return all_; }
+  std::size_t fitted() const { return all_.fitted(); }
+  std::size_t exact() const { return all_.list().size() - all_.fitted(); }
+  /// Each release's inputs, fitted and exact.
+  const std::vector<const EstimatedInputs*>& of_releases() const { return of_releases_; }
 
   /// The exact inputs whose errors shift a fitted one by its standard error where they are below the input's scale. Those come first
   /// that shift it most: by an error as stated, or else by a thousandth of the scale.
@@ -37,10 +61,9 @@ class ExactInputs {
   std::vector<ExactInput> shifting(const Eigen::MatrixXd& J, std::size_t fitted) const;
 
  private:
-  EstimatedInputs all_;
-  std::size_t fitted_;
-  std::vector<std::optional<double>> stated_;  ///< of each exact input, in its unit
-  std::vector<double> usual_;                  ///< an error of each exact input that is not unusual, in its unit
+  std::vector<const EstimatedInputs*> of_releases_;
+  JointInputs all_;
+  std::vector<ExactInputs::Knowledge> knowledge_;
 };
 
 }  // namespace earthtop::measure

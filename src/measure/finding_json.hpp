@@ -2,6 +2,7 @@
 /// Writes what an estimate says and rests on into the documents of comparisons and of plans.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
@@ -11,12 +12,19 @@
 
 namespace earthtop::measure {
 
+/// Names the release whose number an entry is, where there are several and it is not that of all.
+inline void put_release(nlohmann::ordered_json& entry, std::size_t release) {
+  if (release > 0) entry["release"] = release;
+}
+
 /// Null for an estimate that is no rate of the Earth.
 inline nlohmann::ordered_json finding_json(const std::optional<RateFinding>& finding) {
   if (!finding) return nullptr;
   nlohmann::ordered_json culprits = nlohmann::ordered_json::array();
-  for (const InputError& culprit : finding->culprits)
+  for (const InputError& culprit : finding->culprits) {
     culprits.push_back({{"name", culprit.name}, {"unit", culprit.unit}, {"error", culprit.error}});
+    put_release(culprits.back(), culprit.release);
+  }
   return {{"outcome", std::string(to_string(finding->outcome()))},
           {"limit_sigma", RateFinding::kLimit_sigma},
           {"from_zero_sigma", finding->from_zero_sigma},
@@ -38,6 +46,7 @@ inline nlohmann::ordered_json exact_json(const std::vector<ExactInput>& inputs, 
     list.back()["misfit"] = input.misfit;
     list.back()["error_of_one_sigma"] =
         standard_error ? nlohmann::ordered_json(input.error_of_one_sigma(*standard_error)) : nlohmann::ordered_json(nullptr);
+    put_release(list.back(), input.release);
   }
   return list;
 }

@@ -7,60 +7,78 @@
 #include <algorithm>
 
 #include "error/gsl_errors.hpp"
+#include "measure/estimation.hpp"
+#include "measure/exact_inputs.hpp"
 #include "measure/fit_hints.hpp"
 #include "measure/known_rate.hpp"
-#include "measure/measured_motion.hpp"
 #include "measure/prediction_problem.hpp"
 #include "measure/scaled_problem.hpp"
-#include "measure/seen_directions.hpp"
 
 namespace earthtop::measure {
 namespace {
 
-/// The derivatives of the normalised residuals, those of the priors below them, at the fitted numbers.
+/// The derivatives of the normalised residuals, those of the priors, 0, below them, at the fitted numbers.
 class DerivativesAtFit {
  public:
-  DerivativesAtFit(MeasurementReport& report, const Measurement& measurement, const Whitening& whitening, const Watch& watch)
-      : report_(report),
-        measurement_(measurement),
-        whitening_(whitening),
-        watch_(watch),
-        times_s_(measured_times(measurement)) {}
+  DerivativesAtFit(ReleasesReport& report, const std::vector<ComparedRelease>& releases, const Watch& watch)
+      : report_(report), releases_(releases), whitening_(whitening_of(report)), watch_(watch) {}
 
-  /// By the inputs from `begin` on; the first of them are the fitted ones.   @throws ScaledProblem::Stopped
-  Eigen::MatrixXd by(const EstimatedInputs& inputs, std::size_t begin) {
-    const std::vector<EstimatedInput>& list = inputs.list();
-    const std::size_t fitted = report_.estimates.size();
-    Trials trials{report_.predictions, 1 / expected_derivatives(list.size()), 0, {}};
-    FitProblem problem = prediction_problem(inputs, measurement_, report_.residuals, times_s_, watch_, trials);
+  /// By the inputs behind the fitted ones.   @throws ScaledProblem::Stopped
+  Eigen::MatrixXd by_others(const JointInputs& inputs, const std::vector<const EstimatedInputs*>& of_releases) {
+    const std::vector<JointInput>& list = inputs.list();
+    const std::size_t fitted = inputs.fitted(), others = list.size() - fitted;
+    std::vector<VariedRelease> varied;
+    for (std::size_t r = 0; r < releases_.size(); ++r)
+      varied.push_back(varied_release(*of_releases[r], releases_[r].measurement(), report_.releases[r].residuals));
+    Trials trials{report_.predictions, 1 / expected_derivatives(others)};
+    FitProblem problem = prediction_problem(inputs, varied, watch_, trials);
     problem.whitening = whitening_;
     std::vector<double> at = problem.start;
-    for (std::size_t j = 0; j < fitted; ++j) {
-      at[j] = *report_.estimates[j].estimate;
-      for (const Prior& prior : report_.priors)
-        if (prior.input == list[j].name) problem.priors.push_back({j, prior.standard_error});
-    }
+    for (std::size_t j = 0; j < fitted; ++j) at[j] = *report_.estimates[j].estimate;
     ScaledProblem scaled(problem);
     const std::vector<double> u = scaled.scaled(at);
-    Eigen::MatrixXd J(scaled.residuals(), list.size() - begin);
+    const auto values = static_cast<Eigen::Index>(problem.standard_error.size());
+    Eigen::MatrixXd J =
+        Eigen::MatrixXd::Zero(values + static_cast<Eigen::Index>(report_.priors.size()), static_cast<Eigen::Index>(others));
     Eigen::VectorXd column;
-    for (std::size_t j = begin; j < list.size(); ++j) {
-      scaled.derivative(u, j, j < fitted ? ScaledProblem::Step::fine : ScaledProblem::Step::rough, column);
-      J.col(static_cast<Eigen::Index>(j - begin)) = column;
+    for (std::size_t k = 0; k < others; ++k) {
+      scaled.derivative(u, fitted + k, ScaledProblem::Step::rough, column);
+      J.col(static_cast<Eigen::Index>(k)).head(values) = column;
     }
-    if (problem.priors.empty() || begin > 0) return J;
-    auto of_fitted = J.topLeftCorner(static_cast<Eigen::Index>(report_.residuals.size()), static_cast<Eigen::Index>(fitted));
-    of_fitted = seen_directions(of_fitted).seen_part(of_fitted);
     return J;
   }
 
  private:
-  MeasurementReport& report_;
-  const Measurement& measurement_;
-  const Whitening& whitening_;
+  ReleasesReport& report_;
+  const std::vector<ComparedRelease>& releases_;
+  Whitening whitening_;
   const Watch& watch_;
-  std::vector<double> times_s_;
 };
+
+/// Hints from numbers of the instruments and from the exact inputs.
+std::vector<FitHint> found_hints(const ReleasesReport& report, const std::vector<ComparedRelease>& releases,
+                                 const std::vector<ExactInputs>& exact_of, const JointExactInputs& exact,
+                                 const std::vector<std::string>& shared, const Eigen::MatrixXd& J,
+                                 DerivativesAtFit& derivatives) {
+  std::vector<EstimatedInputs> of_releases;
+  std::vector<const EstimatedInputs*> pointers;
+  std::vector<std::size_t> fitted;
+  of_releases.reserve(releases.size());
+  for (std::size_t r = 0; r < releases.size(); ++r) {
+    of_releases.push_back(with_instrument(releases[r].scene(), exact_of[r], [&](const std::vector<std::string>& names) {
+      return releases[r].inputs_of(names, ExactInputs::kMost);
+    }));
+    pointers.push_back(&of_releases.back());
+    fitted.push_back(exact_of[r].fitted());
+  }
+  const JointInputs of_instrument(pointers, fitted, shared);
+  return hints_of(report, J, exact, of_instrument, derivatives.by_others(of_instrument, pointers));
+}
+
+/// The first release that has an input, whose scene says how well it is known besides.
+const Scene& scene_of(const JointInput& input, const std::vector<ComparedRelease>& releases) {
+  return releases[input.release > 0 ? input.release - 1 : 0].scene();
+}
 
 /// The part of chi-squared that the misfit of a wrong input may have: what it is above the expected value, and by how much it may
 /// be above that before the p-value counts as too small.
@@ -76,16 +94,18 @@ double most_of_a_misfit(const ChiSquared& fitted) {
 
 double expected_derivatives(std::size_t inputs) { return 4 * static_cast<double>(inputs); }
 
-void add_findings(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const ExactInputs& exact,
-                  const ExactInputs::InputsOf& inputs_of, const Whitening& whitening, const Watch& watch) {
-  DerivativesAtFit derivatives(report, measurement, whitening, watch);
-  Eigen::MatrixXd J;
+void add_findings(ReleasesReport& report, const std::vector<ComparedRelease>& releases, const std::vector<std::string>& shared,
+                  const Eigen::MatrixXd& by_fitted, const Watch& watch) {
+  std::vector<ExactInputs> exact_of;
+  for (const ComparedRelease& release : releases)
+    exact_of.emplace_back(release.scene(), release.names(),
+                          [&](const std::vector<std::string>& names) { return release.inputs_of(names, ExactInputs::kMost); });
+  const JointExactInputs exact(exact_of, shared);
+  DerivativesAtFit derivatives(report, releases, watch);
+  Eigen::MatrixXd J(by_fitted.rows(), by_fitted.cols() + static_cast<Eigen::Index>(exact.exact()));
   try {
-    J = derivatives.by(exact.all(), 0);
-    if (report.scatters_more()) {
-      const EstimatedInputs of_instrument = with_instrument(scene, exact, inputs_of);
-      report.hints = hints_of(report, J, exact, of_instrument, derivatives.by(of_instrument, exact.fitted()));
-    }
+    J << by_fitted, derivatives.by_others(exact.all(), exact.of_releases());
+    if (report.scatters_more()) report.hints = found_hints(report, releases, exact_of, exact, shared, J, derivatives);
   } catch (const ScaledProblem::Stopped&) {
     report.fit = FitOutcome::interrupted;
     report.fitted.reset();
@@ -93,13 +113,15 @@ void add_findings(MeasurementReport& report, const Measurement& measurement, con
   }
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     ParameterEstimate& estimate = report.estimates[j];
+    const JointInput& input = exact.all().list()[j];
     estimate.exact = exact.shifting(J, j);
-    const auto known = known_rate(scene, exact.all().list()[j]);
+    const auto known = known_rate(scene_of(input, releases), input);
     const double error = *estimate.said_error(report.scatters_more());
     if (!known || !(error > 0)) continue;
     std::optional<double> prior;
     for (const Prior& used : report.priors)
-      if (used.input == estimate.name) prior = used.standard_error * (error / *estimate.standard_error);
+      if (used.input == estimate.name && used.release == estimate.release)
+        prior = used.standard_error * (error / *estimate.standard_error);
     estimate.finding = rate_finding(*estimate.estimate, error, *known, prior);
     if (estimate.finding->outcome() == RateOutcome::contradicts)
       estimate.finding->culprits =

@@ -2,12 +2,14 @@
 /// Finds what the estimates of a fit say of the Earth's rate, and on which inputs they rest.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/watch.hpp"
-#include "measure/exact_inputs.hpp"
-#include "measure/whitening.hpp"
+#include "measure/compared_release.hpp"
 
 namespace earthtop::measure {
 
@@ -15,8 +17,10 @@ namespace earthtop::measure {
 double expected_derivatives(std::size_t inputs);
 
 /// Fills in the findings of a fit that converged, and the inputs that it took as exact.
+/// @param releases  those of the report   @param shared  names of numbers that have one value in all of them
+/// @param by_fitted  derivatives of the residuals by the fitted inputs, from the fit
 /// @param watch  may end the work early: then the fit is `interrupted`
-void add_findings(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const ExactInputs& exact,
-                  const ExactInputs::InputsOf& inputs_of, const Whitening& whitening, const Watch& watch);
+void add_findings(ReleasesReport& report, const std::vector<ComparedRelease>& releases, const std::vector<std::string>& shared,
+                  const Eigen::MatrixXd& by_fitted, const Watch& watch);
 
 }  // namespace earthtop::measure

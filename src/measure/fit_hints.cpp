@@ -16,26 +16,29 @@ constexpr double kLeastMended = 0.5;  // of what chi-squared has too much
 constexpr double kLeastSeen = 3e-3;   // of a column, beside the fitted ones: less is the error of differences
 
 struct Candidate {
-  std::vector<EstimatedInput> inputs;
+  std::vector<JointInput> inputs;
   MatrixXd columns;
 };
 
 bool is_turn(const EstimatedInput& input) { return std::ranges::find(kTurns, input.pointer) != std::end(kTurns); }
 
-void add_candidates(std::vector<Candidate>& candidates, const EstimatedInputs& inputs, std::size_t begin,
-                    const MatrixXd& columns) {
-  Candidate turn{{}, MatrixXd(columns.rows(), 0)};
-  for (std::size_t j = begin; j < inputs.list().size(); ++j) {
-    const auto column = columns.col(static_cast<Index>(j - begin));
-    if (!is_turn(inputs.list()[j])) {
-      candidates.push_back({{inputs.list()[j]}, column});
+void add_candidates(std::vector<Candidate>& candidates, const JointInputs& inputs, const MatrixXd& columns) {
+  const std::size_t begin = candidates.size();
+  for (std::size_t j = inputs.fitted(); j < inputs.list().size(); ++j) {
+    const JointInput& input = inputs.list()[j];
+    const auto column = columns.col(static_cast<Index>(j - inputs.fitted()));
+    const auto turn =
+        std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(begin), candidates.end(), [&](const Candidate& c) {
+          return is_turn(input) && is_turn(c.inputs.front()) && c.inputs.front().release == input.release;
+        });
+    if (turn == candidates.end()) {
+      candidates.push_back({{input}, column});
       continue;
     }
-    turn.inputs.push_back(inputs.list()[j]);
-    turn.columns.conservativeResize(Eigen::NoChange, turn.columns.cols() + 1);
-    turn.columns.rightCols(1) = column;
+    turn->inputs.push_back(input);
+    turn->columns.conservativeResize(Eigen::NoChange, turn->columns.cols() + 1);
+    turn->columns.rightCols(1) = column;
   }
-  if (!turn.inputs.empty()) candidates.push_back(std::move(turn));
 }
 
 }  // namespace
@@ -52,19 +55,19 @@ EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, co
   return inputs_of(names);
 }
 
-std::vector<FitHint> hints_of(const MeasurementReport& report, const MatrixXd& J, const ExactInputs& exact,
-                              const EstimatedInputs& of_instrument, const MatrixXd& by_instrument) {
-  VectorXd residuals = VectorXd::Zero(J.rows());
-  for (std::size_t i = 0; i < report.residuals.size(); ++i)
-    residuals[static_cast<Index>(i)] = report.residuals[i].independent();
-  for (std::size_t k = 0; k < report.priors.size(); ++k)
-    residuals[static_cast<Index>(report.residuals.size() + k)] = -report.priors[k].pull.value_or(0);
+std::vector<FitHint> hints_of(const ReleasesReport& report, const MatrixXd& J, const JointExactInputs& exact,
+                              const JointInputs& of_instrument, const MatrixXd& by_instrument) {
+  VectorXd residuals(J.rows());
+  Index at = 0;
+  for (const MeasurementReport& release : report.releases)
+    for (const MeasurementResidual& residual : release.residuals) residuals[at++] = residual.independent();
+  for (const Prior& prior : report.priors) residuals[at++] = -prior.pull.value_or(0);
   const auto fitted = static_cast<Index>(exact.fitted());
   const MatrixXd Q = Eigen::HouseholderQR<MatrixXd>(J.leftCols(fitted)).householderQ() * MatrixXd::Identity(J.rows(), fitted);
 
   std::vector<Candidate> candidates;
-  add_candidates(candidates, exact.all(), exact.fitted(), J.rightCols(static_cast<Index>(exact.exact())));
-  add_candidates(candidates, of_instrument, exact.fitted(), by_instrument);
+  add_candidates(candidates, exact.all(), J.rightCols(static_cast<Index>(exact.exact())));
+  add_candidates(candidates, of_instrument, by_instrument);
   const double too_much = report.fitted->value - static_cast<double>(report.fitted->degrees_of_freedom);
   std::vector<FitHint> hints;
   for (const Candidate& candidate : candidates) {
@@ -79,10 +82,10 @@ std::vector<FitHint> hints_of(const MeasurementReport& report, const MatrixXd& J
     const MatrixXd covariance = (beside.transpose() * beside).inverse();
     FitHint hint{{}, left};
     for (std::size_t k = 0; k < candidate.inputs.size(); ++k) {
-      const EstimatedInput& input = candidate.inputs[k];
+      const JointInput& input = candidate.inputs[k];
       const auto i = static_cast<Index>(k);
-      hint.values.push_back(
-          {input.name, input.unit, input.start + change[i] * input.scale, std::sqrt(covariance(i, i)) * input.scale});
+      hint.values.push_back({input.name, input.unit, input.start + change[i] * input.scale,
+                             std::sqrt(covariance(i, i)) * input.scale, input.release});
     }
     hints.push_back(std::move(hint));
   }

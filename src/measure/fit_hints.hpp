@@ -13,11 +13,11 @@ namespace earthtop::measure {
 /// The fitted inputs and, behind them, all numbers of an instrument that can be fitted besides.
 EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, const ExactInputs::InputsOf& inputs_of);
 
-/// The inputs that would take away at least half of what chi-squared has too much, each by itself; a turn of the mount about East and
-/// North together. At most three.
+/// The inputs that would take away at least half of what chi-squared has too much, each by itself; a turn of a release's mount about
+/// East and North together. At most three.
 /// @param J              derivatives of the normalised residuals, priors below them, by fitted and exact inputs, in their scales
 /// @param of_instrument  what `with_instrument` gives   @param by_instrument  derivatives by those that are not fitted
-std::vector<FitHint> hints_of(const MeasurementReport& report, const Eigen::MatrixXd& J, const ExactInputs& exact,
-                              const EstimatedInputs& of_instrument, const Eigen::MatrixXd& by_instrument);
+std::vector<FitHint> hints_of(const ReleasesReport& report, const Eigen::MatrixXd& J, const JointExactInputs& exact,
+                              const JointInputs& of_instrument, const Eigen::MatrixXd& by_instrument);
 
 }  // namespace earthtop::measure

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 
 #include "measure/measured_motion.hpp"
 
@@ -22,29 +23,42 @@ constexpr double kMostWork = 600;       // motions after which no other start is
 
 class Search {
  public:
-  explicit Search(PartialProblems& problems)
+  Search(PartialProblems& problems, const std::vector<double>& near)
       : problems_(problems),
+        start_(near),
         freedom_(std::max(1.0, static_cast<double>(problems.whole().standard_error.size() + problems.whole().priors.size()) -
                                    static_cast<double>(problems.parameters()))) {}
 
   FoundFit run(double at_start) {
-    const std::vector<double>& start = problems_.whole().start;
-    const bool is_near = at_start <= FitSearch::kDoubted * freedom_;
+    const std::vector<double>& given = problems_.whole().start;
+    const bool is_near = at_start <= FitSearch::kDoubted * freedom_, has_spans = problems_.spans(2).size() > 1;
     if (is_near && take(fit_weighted(problems_.whole()), 0)) return std::move(best_);
-    if (grow(start, 2) || grow(start, 1.4)) return std::move(best_);
+    if (has_spans && (grow(start_, 2) || grow(start_, 1.4) || (start_ != given && grow(given, 2)))) return std::move(best_);
     if (!is_near && take(fit_weighted(problems_.whole()), 0)) return std::move(best_);
     for (int k = 1; k <= kStarts && problems_.work() < kMostWork; ++k)
-      if (grow(moved(start, k), 2)) break;
+      if (grow(moved(start_, k), 2)) break;
     return std::move(best_);
   }
 
  private:
-  /// Keeps the better of two fits. @returns whether the search has ended: with a good fit, or a second time in the lowest minimum
+  /// The standard errors of the weak priors about the scenario's numbers, in scales; as wide as the start is away from these.
+  std::vector<double> known() const {
+    std::vector<double> errors;
+    for (std::size_t j = 0; j < start_.size(); ++j)
+      errors.push_back(kKnown + std::abs(start_[j] - problems_.whole().start[j]) / problems_.whole().scales[j]);
+    return errors;
+  }
+
+  /// Keeps the better of two fits. @returns whether the search has ended: with a good fit, or again in the lowest minimum, for few
+  /// rows, which have many of them, a third time
   bool take(Fit fit, std::size_t spans) {
-    const bool is_minimum = fit.outcome == FitOutcome::converged, had_minimum = best_.search.minima > 0;
+    const bool is_minimum = fit.outcome == FitOutcome::converged;
+    if (is_minimum && best_.search.minima > 0 && is_same(fit.chi_squared, best_.fit.chi_squared))
+      ++found_again_;
+    else if (is_minimum && (best_.search.minima == 0 || fit.chi_squared < best_.fit.chi_squared))
+      found_again_ = 0;
     const bool ends = fit.outcome == FitOutcome::interrupted || fit.outcome == FitOutcome::not_determined ||
-                      (is_minimum && fit.chi_squared <= FitSearch::kDoubted * freedom_) ||
-                      (is_minimum && had_minimum && is_same(fit.chi_squared, best_.fit.chi_squared));
+                      (is_minimum && fit.chi_squared <= FitSearch::kDoubted * freedom_) || found_again_ == (spans > 1 ? 1 : 2);
     if (is_minimum) ++best_.search.minima;
     const bool is_first = best_.search.attempts++ == 0;
     if (!is_first && !ends && !is_better(fit, best_.fit)) return false;
@@ -64,7 +78,7 @@ class Search {
     const std::vector<double> ends_s = problems_.spans(factor);
     std::vector<double> steps;
     for (const double end_s : ends_s) {
-      FitProblem problem = problems_.up_to(end_s);
+      FitProblem problem = problems_.up_to(end_s, known());
       problem.from = from;
       problem.steps = steps;
       Fit fit = fit_weighted(problem);
@@ -88,7 +102,7 @@ class Search {
     problem.steps.clear();
     for (int k = 1; is_poor() && !model_is_at_fault_; ++k) {
       model_is_at_fault_ = k == kStartsOfSpan || problems_.work() > most_work;
-      problem.from = moved(problems_.whole().start, k);
+      problem.from = moved(start_, k);
       Fit fit = fit_weighted(problem);
       if (fit.outcome == FitOutcome::interrupted || (!fit.parameters.empty() && fit.chi_squared < best.chi_squared))
         best = std::move(fit);
@@ -104,62 +118,73 @@ class Search {
   }
 
   PartialProblems& problems_;
+  const std::vector<double>& start_;
   double freedom_;
+  int found_again_ = 0;             // the lowest minimum
   bool model_is_at_fault_ = false;  // as far as parts of the data tell
   FoundFit best_;
 };
 
 }  // namespace
 
-PartialProblems::PartialProblems(const FitProblem& whole, const EstimatedInputs& inputs, const Measurement& measurement,
-                                 const std::vector<MeasurementResidual>& residuals, double correlation_time_s,
-                                 const Watch& watch, Trials& trials)
+PartialProblems::PartialProblems(const FitProblem& whole, const JointInputs& inputs, const std::vector<VariedRelease>& releases,
+                                 double correlation_time_s, const Watch& watch, Trials& trials)
     : whole_(whole),
       inputs_(inputs),
-      measurement_(measurement),
-      residuals_(residuals),
+      releases_(releases),
       correlation_time_s_(correlation_time_s),
       watch_(watch),
-      trials_(trials),
-      times_s_(measured_times(measurement)) {}
+      trials_(trials) {
+  for (const VariedRelease& release : releases_) last_s_ = std::max(last_s_, release.residuals.back().t_s);
+}
 
 std::vector<double> PartialProblems::spans(double factor) const {
-  const std::size_t fewest = std::max<std::size_t>(16, 4 * parameters());
-  std::vector<double> ends_s = {residuals_.back().t_s};
-  const double least_s = residuals_[std::min(fewest, residuals_.size()) - 1].t_s;
+  double least_s = 0;
+  for (const VariedRelease& release : releases_) {
+    const std::size_t fewest = std::max<std::size_t>(16, 4 * release.inputs->list().size());
+    least_s = std::max(least_s, release.residuals[std::min(fewest, release.residuals.size()) - 1].t_s);
+  }
+  std::vector<double> ends_s = {last_s_};
   while (ends_s.back() / factor >= least_s && ends_s.back() > 0) ends_s.push_back(ends_s.back() / factor);
   std::reverse(ends_s.begin(), ends_s.end());
   return ends_s;
 }
 
-FitProblem PartialProblems::up_to(double end_s) {
+FitProblem PartialProblems::up_to(double end_s, const std::vector<double>& known) {
   FitProblem problem;
-  const double last_s = residuals_.back().t_s;
-  if (end_s == last_s) {
+  if (end_s == last_s_) {
     problem = whole_;
   } else {
-    const auto end = std::ranges::upper_bound(times_s_, end_s);
-    const std::size_t stride = 1 + static_cast<std::size_t>(end - times_s_.begin()) / kMostTimes;
-    const auto is_taken = [&](double t_s) {
-      return t_s <= end_s && static_cast<std::size_t>(std::ranges::lower_bound(times_s_, t_s) - times_s_.begin()) % stride == 0;
-    };
-    std::vector<MeasurementResidual> residuals;
-    for (const MeasurementResidual& residual : residuals_)
-      if (is_taken(residual.t_s)) residuals.push_back(residual);
-    part_ = {};
-    part_.measurement.file = measurement_.file;
-    for (const MeasuredValue& value : measurement_.values)
-      if (is_taken(value.t_s)) part_.measurement.values.push_back(value);
-    part_.times_s = measured_times(part_.measurement);
-    problem = prediction_problem(inputs_, part_.measurement, residuals, part_.times_s, watch_, trials_);
-    if (correlation_time_s_ > 0) problem.whitening = Whitening(residuals, correlation_time_s_, measurement_.file);
+    measurements_.clear();
+    parts_.clear();
+    measurements_.reserve(releases_.size());
+    Whitening whitening;
+    for (const VariedRelease& release : releases_) {
+      const std::vector<double> times_s = measured_times(*release.measurement);
+      const auto end = std::ranges::upper_bound(times_s, end_s);
+      const std::size_t stride = 1 + static_cast<std::size_t>(end - times_s.begin()) / kMostTimes;
+      const auto is_taken = [&](double t_s) {
+        return t_s <= end_s && static_cast<std::size_t>(std::ranges::lower_bound(times_s, t_s) - times_s.begin()) % stride == 0;
+      };
+      Measurement& taken = measurements_.emplace_back();
+      taken.file = release.measurement->file;
+      for (const MeasuredValue& value : release.measurement->values)
+        if (is_taken(value.t_s)) taken.values.push_back(value);
+      std::vector<MeasurementResidual> residuals;
+      for (const MeasurementResidual& residual : release.residuals)
+        if (is_taken(residual.t_s)) residuals.push_back(residual);
+      if (correlation_time_s_ > 0) whitening.append(Whitening(residuals, correlation_time_s_, taken.file));
+      parts_.push_back(varied_release(*release.inputs, taken, std::move(residuals)));
+    }
+    problem = prediction_problem(inputs_, parts_, watch_, trials_);
+    problem.whitening = std::move(whitening);
     problem.priors = whole_.priors;
     for (std::size_t j = 0; j < parameters(); ++j)
       if (std::ranges::none_of(problem.priors, [&](const FitPrior& prior) { return prior.parameter == j; }))
-        problem.priors.push_back({j, kKnown * whole_.scales[j]});
+        problem.priors.push_back({j, known[j] * whole_.scales[j]});
     problem.rough = true;
   }
-  const double part = last_s > 0 ? end_s / last_s : 1;
+  const double part = last_s_ > 0 ? end_s / last_s_ : 1;
   problem.residuals_at = [this, part, of_rows = std::move(problem.residuals_at)](const std::vector<double>& values,
                                                                                  std::vector<double>& found) {
     work_ += part;
@@ -168,6 +193,8 @@ FitProblem PartialProblems::up_to(double end_s) {
   return problem;
 }
 
-FoundFit search_fit(PartialProblems& problems, double at_start) { return Search(problems).run(at_start); }
+FoundFit search_fit(PartialProblems& problems, double at_start, const std::vector<double>& near) {
+  return Search(problems, near).run(at_start);
+}
 
 }  // namespace earthtop::measure

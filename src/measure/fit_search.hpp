@@ -11,13 +11,12 @@
 
 namespace earthtop::measure {
 
-/// The problems of a measurement's rows up to a time.
+/// The problems of the rows of all releases up to a time.
 class PartialProblems {
  public:
-  /// All arguments must live as long as this. @param whole  the problem of all rows   @param residuals  of the scenario's motion
-  PartialProblems(const FitProblem& whole, const EstimatedInputs& inputs, const Measurement& measurement,
-                  const std::vector<MeasurementResidual>& residuals, double correlation_time_s, const Watch& watch,
-                  Trials& trials);
+  /// All arguments must live as long as this. @param whole  the problem of all rows
+  PartialProblems(const FitProblem& whole, const JointInputs& inputs, const std::vector<VariedRelease>& releases,
+                  double correlation_time_s, const Watch& watch, Trials& trials);
 
   const FitProblem& whole() const { return whole_; }
   std::size_t parameters() const { return whole_.start.size(); }
@@ -26,25 +25,21 @@ class PartialProblems {
   std::vector<double> spans(double factor) const;
   /// The problem of the rows to a time; where that is not the last one, with weak priors about the scenario's numbers, since few
   /// rows do not see all of them, and without the last digits of the minimum.
-  FitProblem up_to(double end_s);
+  /// @param known  standard errors of these priors, in scales
+  FitProblem up_to(double end_s, const std::vector<double>& known);
   /// The part of a whole motion's work that all problems have cost, in motions.
   double work() const { return work_; }
 
  private:
-  struct Part {
-    Measurement measurement;
-    std::vector<double> times_s;
-  };
-
   const FitProblem& whole_;
-  const EstimatedInputs& inputs_;
-  const Measurement& measurement_;
-  const std::vector<MeasurementResidual>& residuals_;
+  const JointInputs& inputs_;
+  const std::vector<VariedRelease>& releases_;
   double correlation_time_s_;
   const Watch& watch_;
   Trials& trials_;
-  std::vector<double> times_s_;
-  Part part_;  // of the latest problem
+  double last_s_ = 0;
+  std::vector<Measurement> measurements_;  // of the latest problem
+  std::vector<VariedRelease> parts_;       // of the latest problem
   double work_ = 0;
 };
 
@@ -58,6 +53,7 @@ struct FoundFit {
 /// and its result leads into the minimum of a longer span, until all rows are in. Where chi-squared then stays above ten times
 /// its expectation, other spans and other starts are tried, and the lowest minimum is taken.
 /// @param at_start  chi-squared of the scenario's own numbers
-FoundFit search_fit(PartialProblems& problems, double at_start);
+/// @param near  a start that may be nearer than the scenario's numbers
+FoundFit search_fit(PartialProblems& problems, double at_start, const std::vector<double>& near);
 
 }  // namespace earthtop::measure

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/scenario/support.hpp"
@@ -150,12 +151,19 @@ bool has_drifts(const Measurement& measurement) {
 
 namespace {
 
-PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+/// The scene to these times of the motion.
+Scene scene_to_predict(const Scene& measured, const std::vector<double>& times_s, std::optional<Method> method) {
   Scenario scenario = measured.scenario();
   prepare(scenario, times_s.back());
   // The choice of the method depends on the number of rows.
   scenario.output_step_s = scenario.duration_s / static_cast<double>(std::max<std::size_t>(times_s.size() - 1, 1));
-  const Scene scene(std::move(scenario));
+  if (method) scenario.numerics.method = *method;
+  return Scene(std::move(scenario));
+}
+
+PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch,
+                               std::optional<Method> method) {
+  const Scene scene = scene_to_predict(measured, times_s, method);
   scene.require_integrable();
   scene.require_affordable();
   DriftProblem<double> problem = scene.problem<double>();
@@ -163,9 +171,12 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
   const IntegrationOptions& options = scene.choice().options;
   PredictedMotion predicted;
   predicted.axes.reserve(times_s.size());
-  // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top has its
-  // equations without the spin there; a top on a table, and the rotor of a gyrostat, have all of their equations there.
-  const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced;
+  // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top whose axis has no
+  // equations of its own has those without the spin there; a top on a table, and the rotor of a gyrostat, have all of their equations
+  // there.
+  const bool axis_alone = scene.symmetry_axis() == 2;
+  const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced &&
+                             !(axis_alone && has_axis_motion(problem.model, options));
   if (drift || is_driven_top || scene.support().has_moving_parts() || !scene.support().no_motion_alone.empty() ||
       scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
@@ -182,7 +193,6 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
       if (ends_run(event.kind) && predicted.axes.size() < times_s.size()) predicted.end = event;
     return predicted;
   }
-  const bool axis_alone = scene.symmetry_axis() == 2;
   const MotionTrajectory<double> motion =
       integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
@@ -226,16 +236,32 @@ void read_by_instrument(PredictedAxis& axis, const Scenario& scenario) {
 
 }  // namespace
 
-PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch) {
+namespace {
+
+/// The times of the motion (s), and the place among them of each time that the instrument's clock shows.
+std::pair<std::vector<double>, std::vector<std::size_t>> times_of_motion(const Scene& scene,
+                                                                         const std::vector<double>& times_s) {
   const Instrument instrument = scene.scenario().instrument.value_or(Instrument());
-  std::vector<double> motion_times_s = {0};
-  std::vector<std::size_t> places;  // of each time of the clock among those of the motion
+  std::pair<std::vector<double>, std::vector<std::size_t>> found({0}, {});
+  auto& [motion_times_s, places] = found;
   for (const double t_s : times_s) {
     const double of_motion_s = instrument.time_of_motion_s(t_s);
     if (of_motion_s > motion_times_s.back()) motion_times_s.push_back(of_motion_s);
     places.push_back(motion_times_s.size() - 1);
   }
-  PredictedMotion motion = predicted_axes(scene, motion_times_s, drift, watch);
+  return found;
+}
+
+}  // namespace
+
+Method method_of_prediction(const Scene& scene, const std::vector<double>& times_s) {
+  return scene_to_predict(scene, times_of_motion(scene, times_s).first, {}).choice().options.method;
+}
+
+PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch,
+                        std::optional<Method> method) {
+  const auto [motion_times_s, places] = times_of_motion(scene, times_s);
+  PredictedMotion motion = predicted_axes(scene, motion_times_s, drift, watch, method);
   if (is_caged_top(scene.scenario())) {
     const CagedTop<double> cage(scene.scenario());
     for (PredictedAxis& axis : motion.axes) axis.rotor_rate_rad_s = cage.rotor_rate(axis.t_s);

@@ -62,8 +62,12 @@ struct PredictedMotion {
 /// @param times_s  ascending, starting at 0, none later than the scenario's duration
 /// @param drift  whether drifts are wanted: these need the non-rotating prediction as well, which makes the work threefold
 /// @param watch  may end the work early
+/// @param method  to be taken instead of the scenario's
 /// @throws ScenarioError for a method that does not fit the scene, or a scene that would take days
-PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch);
+PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch,
+                        std::optional<Method> method = {});
+/// The method that `predict` takes for a scene.
+Method method_of_prediction(const Scene& scene, const std::vector<double>& times_s);
 
 /// Fills in the angles at which an instrument reads the axis n_M.
 void read_angles(PredictedAxis& axis, const Scenario& scenario);

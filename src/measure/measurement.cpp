@@ -11,33 +11,22 @@
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/results/provenance.hpp"
-#include "measure/estimated_inputs.hpp"
+#include "measure/compared_release.hpp"
 #include "measure/estimation.hpp"
-#include "measure/exact_inputs.hpp"
 #include "measure/findings.hpp"
+#include "measure/joint_inputs.hpp"
 #include "measure/measured_motion.hpp"
 #include "measure/priors.hpp"
-#include "measure/whitening.hpp"
 #include "run/looks.hpp"
 
 namespace earthtop {
 namespace measure {
 namespace {
 
-using Overrides = std::vector<std::pair<std::string, std::string>>;
-
-/// Adds overrides that extend the scenario to the last measured time, if that is later than its end. The data that the scenario
-/// reads for its duration (a table of a platform's motion) are then checked up to that time.
-Overrides with_duration(Overrides overrides, const Scenario& scenario, double last_s) {
-  if (last_s <= scenario.duration_s) return overrides;
-  overrides.emplace_back("/motion/duration_s", fmt::format("{}", last_s));
-  overrides.emplace_back("/motion/output_step_s", fmt::format("{}", last_s));
-  return overrides;
-}
-
 /// Refuses rows that no computation can predict. Adds a note where the motion depends on digits that are not known.
-void require_reliable(MeasurementReport& report, const Measurement& measurement, const Scene& scene, const Watch& watch) {
-  const auto [status, reached_s, verdict] = judged_motion(scene, measurement.values.back().t_s, watch);
+void require_reliable(MeasurementReport& report, const ComparedRelease& release, const Watch& watch) {
+  const Measurement& measurement = release.measurement();
+  const auto [status, reached_s, verdict] = judged_motion(release.scene(), measurement.values.back().t_s, watch);
   if (status == RunStatus::interrupted) report.status = status;
   if (status != RunStatus::completed) return;
   report.verdict = verdict.verdict;
@@ -83,13 +72,14 @@ std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std:
 
 /// Fills in the motion that the report's residuals are taken against, at times that resolve it, or as means over some of its swings.
 /// Empty where it cannot be computed there. @param points  the least number of times
-void take_curve(MeasurementReport& report, const Scene& given, const EstimatedInputs& inputs, const Measurement& measurement,
-                std::size_t points, const Watch& watch) {
+void take_curve(MeasurementReport& report, const ComparedRelease& release, std::size_t points, const Watch& watch) {
   constexpr std::size_t kMost = 6000, kSwings = 24;  // times that a document has room for; looks at two swings
+  const Scene& given = release.scene();
+  const Measurement& measurement = release.measurement();
   std::vector<double> values;
   if (report.fitted)
     for (const ParameterEstimate& estimate : report.estimates) values.push_back(*estimate.estimate);
-  const std::optional<Scene> fitted = report.fitted ? inputs.scene(values) : std::nullopt;
+  const std::optional<Scene> fitted = report.fitted ? release.inputs().scene(values) : std::nullopt;
   const double end_s = measurement.values.back().t_s;
   const bool drift = has_drifts(measurement);
   std::vector<double> times{end_s};
@@ -127,7 +117,7 @@ void note_correlated_errors(MeasurementReport& report) {
   constexpr double kSignificant = 4;  // standard errors of the correlation
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
   const double scatter = last.value / std::max(1.0, static_cast<double>(last.degrees_of_freedom));
-  if (report.correlation_time_s > 0 || !(scatter > 0.3 && scatter < 3)) return;
+  if (!(scatter > 0.3 && scatter < 3)) return;
   std::map<std::string_view, std::vector<const MeasurementResidual*>> series;
   for (const MeasurementResidual& residual : report.residuals) series[residual.quantity].push_back(&residual);
   for (const auto& [quantity, list] : series) {
@@ -149,17 +139,20 @@ void note_correlated_errors(MeasurementReport& report) {
   }
 }
 
-void add_notes(MeasurementReport& report) {
-  note_correlated_errors(report);
+/// The notes on a fit, or on chi-squared as given.
+void add_notes_on_fit(FitReport& report) {
   if (report.search.spans > 0 && report.scatters_more())
     report.notes.emplace_back(
         "the start was far off, and the residuals scatter by more than their errors: the minimum may be a false one, and its "
         "error "
         "bars then mean nothing; start nearer, or estimate what a hint names");
   const ChiSquared& last = report.fitted ? *report.fitted : report.as_given;
-  if (last.p_value && *last.p_value > 1 - MeasurementReport::kLeastPValue)
+  if (last.p_value && *last.p_value > 1 - FitReport::kLeastPValue)
     report.notes.emplace_back(
         "the scatter is smaller than the standard errors would make it: are they too large, or are the rows averages?");
+}
+
+void note_large_residuals(MeasurementReport& report) {
   const bool far = std::any_of(report.residuals.begin(), report.residuals.end(), [](const MeasurementResidual& residual) {
     return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2;
   });
@@ -169,6 +162,62 @@ void add_notes(MeasurementReport& report) {
             ? "an azimuth is off by more than a quarter turn: is it counted clockwise from North?"
             : "an azimuth is off by more than a quarter turn: is it counted clockwise from North, and does the fit start close "
               "enough?");
+}
+
+/// Predicts a release's motion, and fills in its residuals against it. @param parts  the next two are its prediction's and its verdict's
+void compare_as_given(MeasurementReport& report, const ComparedRelease& release, double correlation_time_s, Parts& parts,
+                      double of_verdict) {
+  const Measurement& measurement = release.measurement();
+  const PredictedMotion motion =
+      predict(release.scene(), measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
+  report.status = motion.status;
+  report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
+  report.residuals = residuals_of(measurement, motion);
+  if (correlation_time_s > 0) whiten(report.residuals, whitening_of(report, correlation_time_s));
+  report.as_given = chi_squared_of(report.residuals, {}, 0);
+  if (report.status == RunStatus::completed) require_reliable(report, release, parts.next(of_verdict, "verdict"));
+}
+
+/// Tells each release its part of a fit: its own chi-squared, and the estimates that its scenario has.
+void share_out(ReleasesReport& report, const JointInputs& inputs) {
+  for (std::size_t r = 0; r < report.releases.size(); ++r) {
+    MeasurementReport& release = report.releases[r];
+    release.fit = report.fit;
+    if (!report.fitted) continue;
+    release.fitted = chi_squared_of(release.residuals, {}, 0);
+    release.fitted->p_value.reset();
+    for (const std::size_t place : inputs.places(r)) {
+      const ParameterEstimate& e = report.estimates[place];
+      release.estimates.push_back({e.name, e.unit, e.start, e.estimate, e.standard_error, e.standard_error_scaled});
+      release.estimates.back().release = e.release;
+    }
+  }
+}
+
+std::optional<std::size_t> largest_of(const std::vector<MeasurementResidual>& residuals) {
+  std::optional<std::size_t> largest;
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    if (!largest || std::abs(residuals[i].normalised()) > std::abs(residuals[*largest].normalised())) largest = i;
+  return largest;
+}
+
+void require_options(const std::vector<MeasuredRelease>& releases, const MeasurementOptions& options) {
+  constexpr std::size_t kMost = 64;
+  if (releases.empty() || releases.size() > kMost)
+    throw ScenarioError("", fmt::format("{} releases; from 1 to {} can be compared at once", releases.size(), kMost));
+  if (!(options.correlation_time_s >= 0) || !std::isfinite(options.correlation_time_s))
+    throw ScenarioError("--correlation-time", "must be a time of at least 0 (s)");
+  const bool estimates = !options.estimates.empty() || !options.shared.empty() ||
+                         std::ranges::any_of(releases, [](const MeasuredRelease& one) { return !one.estimates.empty(); });
+  if (options.priors && !estimates)
+    throw ScenarioError("--priors", "applies only to numbers that are estimated; name them with --estimate");
+  if (!options.shared.empty() && releases.size() == 1)
+    throw ScenarioError("--shared", "is for several releases; for one, name all numbers with --estimate");
+}
+
+/// An error with the file of its release's scenario, where it names no file.
+ScenarioError in_release(const ScenarioError& error, const MeasuredRelease& release) {
+  return error.file().empty() ? ScenarioError(error.diagnostics(), release.source.file) : error;
 }
 
 }  // namespace
@@ -187,87 +236,100 @@ std::string_view to_string(FitOutcome outcome) {
   return "";
 }
 
-bool MeasurementReport::contradicts_known_rate() const {
+bool FitReport::contradicts_known_rate() const {
   return std::any_of(estimates.begin(), estimates.end(), [](const ParameterEstimate& estimate) {
     return estimate.finding && estimate.finding->outcome() == RateOutcome::contradicts;
   });
 }
 
-bool MeasurementReport::agrees() const {
-  if (status != RunStatus::completed || (fit != FitOutcome::not_asked && fit != FitOutcome::converged)) return false;
+bool FitReport::fit_agrees() const {
+  if (fit != FitOutcome::not_asked && fit != FitOutcome::converged) return false;
   if (contradicts_known_rate()) return false;
   const ChiSquared& last = fitted ? *fitted : as_given;
   return last.degrees_of_freedom <= 0 || (last.p_value && *last.p_value >= kLeastPValue);
+}
+
+bool MeasurementReport::agrees() const { return status == RunStatus::completed && fit_agrees(); }
+
+RunStatus ReleasesReport::status() const {
+  const auto ended =
+      std::ranges::find_if(releases, [](const MeasurementReport& one) { return one.status != RunStatus::completed; });
+  return ended == releases.end() ? RunStatus::completed : ended->status;
+}
+
+bool ReleasesReport::agrees() const { return status() == RunStatus::completed && fit_agrees(); }
+
+ReleasesReport compare_releases(const std::vector<MeasuredRelease>& given, const MeasurementOptions& options,
+                                const Watch& watch) {
+  using namespace measure;
+  require_options(given, options);
+  std::vector<ComparedRelease> releases;
+  std::vector<const EstimatedInputs*> of_releases;
+  std::vector<std::size_t> fitted;
+  releases.reserve(given.size());
+  for (const MeasuredRelease& release : given) try {
+      releases.emplace_back(release, options);
+      of_releases.push_back(&releases.back().inputs());
+      fitted.push_back(releases.back().names().size());
+    } catch (const ScenarioError& error) {
+      if (given.size() == 1) throw;
+      throw in_release(error, release);
+    }
+  const JointInputs inputs(of_releases, fitted, options.shared);
+  FoundPriors priors;
+  if (options.priors) priors = find_priors(releases, inputs);
+
+  // The work of a verdict in units of a prediction's: two integrations, and the growth of disturbances.
+  constexpr double kVerdict = 6;
+  constexpr std::size_t kExact = 8;  // inputs that a top's fit takes as exact, roughly
+  const auto number = static_cast<double>(given.size());
+  const std::size_t estimates = inputs.list().size();
+  const double of_fit = estimates == 0 ? 0 : number * expected_predictions(estimates);
+  const double of_curve = options.curve_points > 0 ? 1 : 0;
+  const double of_exact = estimates == 0 ? 0 : number * expected_derivatives(kExact);
+  Parts parts(watch, number * (1 + kVerdict + of_curve) + of_fit + of_exact);
+  ReleasesReport report;
+  report.correlation_time_s = options.correlation_time_s;
+  report.unused_priors = std::move(priors.unused);
+  for (const ComparedRelease& release : releases) {
+    report.releases.push_back(release.begun_report());
+    compare_as_given(report.releases.back(), release, options.correlation_time_s, parts, kVerdict);
+    ++report.predictions;
+    if (report.releases.back().status == RunStatus::interrupted) break;
+  }
+  report.as_given = chi_squared_of(report.releases, {}, 0);
+  const RunStatus status = report.status();
+  if (estimates > 0 && status == RunStatus::completed) {
+    const Eigen::MatrixXd by_fitted = fit_estimates(report, releases, inputs, std::move(priors), parts.next(of_fit, "fit"));
+    if (report.fit == FitOutcome::converged)
+      add_findings(report, releases, options.shared, by_fitted, parts.next(of_exact, "exact inputs"));
+  } else if (estimates > 0) {
+    report.fit = status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
+    report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(status));
+  }
+  share_out(report, inputs);
+  add_notes_on_fit(report);
+  for (std::size_t r = 0; r < report.releases.size(); ++r) {
+    MeasurementReport& release = report.releases[r];
+    release.largest = largest_of(release.residuals);
+    if (options.correlation_time_s == 0) note_correlated_errors(release);
+    note_large_residuals(release);
+    if (options.curve_points > 0 && status == RunStatus::completed && report.fit != FitOutcome::interrupted)
+      take_curve(release, releases[r], options.curve_points, parts.next(of_curve, "curve"));
+  }
+  return report;
 }
 
 MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const std::vector<std::pair<std::string, std::string>>& overrides,
                                            const Measurement& measurement, const MeasurementOptions& options,
                                            const Watch& watch) {
-  using namespace measure;
-  const std::vector<std::string>& estimates = options.estimates;
-  if (measurement.values.empty()) throw ScenarioError("", "no measured value");
-  if (!(options.correlation_time_s >= 0) || !std::isfinite(options.correlation_time_s))
-    throw ScenarioError("--correlation-time", "must be a time of at least 0 (s)");
-  if (options.priors && estimates.empty())
-    throw ScenarioError("--priors", "applies only to numbers that are estimated; name them with --estimate");
-  const Scene given = parse_scene(source, overrides);
-  if (given.scenario().effects.automatic)
-    throw ScenarioError("/effects", "the choice of effects is left to the program; to compare with a measurement, name them");
-  const auto longer = with_duration(overrides, given.scenario(), measurement.values.back().t_s);
-  const Scene scene = parse_scene(source, longer);
-  const EstimatedInputs inputs(source, longer, scene, estimates);
-  const auto inputs_of = [&](const std::vector<std::string>& names) {
-    return EstimatedInputs(source, longer, scene, names, ExactInputs::kMost);
-  };
-  FoundPriors priors;
-  if (options.priors) priors = find_priors(scene, inputs.list());
-
-  MeasurementReport report;
-  report.correlation_time_s = options.correlation_time_s;
-  report.unused_priors = std::move(priors.unused);
-  report.scenario_name = given.scenario().name;
-  report.scenario_sha256 = given.sha256();
-  report.file = measurement.file;
-  report.rows = measurement.rows;
-  std::map<MeasuredQuantity, std::uint64_t> counts;
-  for (const MeasuredValue& value : measurement.values) ++counts[value.quantity];
-  report.quantities.assign(counts.begin(), counts.end());
-
-  // The work of a verdict in units of a prediction's: two integrations, and the growth of disturbances.
-  constexpr double kVerdict = 6;
-  const double of_fit = estimates.empty() ? 0 : expected_predictions(estimates.size());
-  const double of_curve = options.curve_points > 0 ? 1 : 0;
-  constexpr std::size_t kExact = 8;  // inputs that a top's fit takes as exact, roughly
-  const double of_exact = estimates.empty() ? 0 : expected_derivatives(estimates.size() + kExact);
-  Parts parts(watch, 1 + kVerdict + of_fit + of_exact + of_curve);
-  const PredictedMotion motion =
-      predict(scene, measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
-  report.predictions = 1;
-  report.status = motion.status;
-  report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
-  report.residuals = residuals_of(measurement, motion);
-  if (report.correlation_time_s > 0) whiten(report.residuals, whitening_of(report));
-  report.as_given = chi_squared_of(report.residuals, {}, 0);
-  if (report.status == RunStatus::completed) require_reliable(report, measurement, scene, parts.next(kVerdict, "verdict"));
-  if (!estimates.empty()) {
-    if (report.status == RunStatus::completed) {
-      fit_estimates(report, measurement, inputs, std::move(priors), parts.next(of_fit, "fit"));
-      if (report.fit == FitOutcome::converged)
-        add_findings(report, measurement, scene, ExactInputs(scene, estimates, inputs_of), inputs_of, whitening_of(report),
-                     parts.next(of_exact, "exact inputs"));
-    } else {
-      report.fit = report.status == RunStatus::interrupted ? FitOutcome::interrupted : FitOutcome::prediction_failed;
-      report.fit_reason = fmt::format("the scenario's own motion ended with {}", to_string(report.status));
-    }
-  }
-  for (std::size_t i = 0; i < report.residuals.size(); ++i)
-    if (!report.largest ||
-        std::abs(report.residuals[i].normalised()) > std::abs(report.residuals[*report.largest].normalised()))
-      report.largest = i;
-  add_notes(report);
-  if (options.curve_points > 0 && report.status == RunStatus::completed && report.fit != FitOutcome::interrupted)
-    take_curve(report, scene, inputs, measurement, options.curve_points, parts.next(of_curve, "curve"));
+  ReleasesReport joint = compare_releases({{source, overrides, measurement}}, options, watch);
+  MeasurementReport report = std::move(joint.releases.front());
+  std::vector<std::string> notes = std::move(report.notes);
+  notes.insert(notes.end(), joint.notes.begin(), joint.notes.end());
+  static_cast<FitReport&>(report) = std::move(joint);
+  report.notes = std::move(notes);
   return report;
 }
 

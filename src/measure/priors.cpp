@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "earthtop/model/body.hpp"
 #include "measure/input_places.hpp"
@@ -77,6 +78,32 @@ FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& i
       found.unused.push_back({std::string(name), fmt::format("it is not estimated; add --estimate {} to use it", name)});
   }
   return found;
+}
+
+FoundPriors find_priors(const std::vector<ComparedRelease>& releases, const JointInputs& inputs) {
+  FoundPriors all;
+  std::size_t without = 0;
+  for (std::size_t r = 0; r < releases.size(); ++r) {
+    FoundPriors own;
+    try {
+      own = find_priors(releases[r].scene(), releases[r].inputs().list());
+    } catch (const ScenarioError&) {
+      if (++without == releases.size()) throw;
+      continue;
+    }
+    const std::vector<FitPrior> of_others = all.of_fit;
+    for (std::size_t k = 0; k < own.used.size(); ++k) {
+      const std::size_t place = inputs.places(r)[own.of_fit[k].parameter];
+      if (std::ranges::find(of_others, place, &FitPrior::parameter) != of_others.end()) continue;
+      own.used[k].release = inputs.list()[place].release;
+      all.used.push_back(std::move(own.used[k]));
+      all.of_fit.push_back({place, own.of_fit[k].standard_error});
+    }
+    for (UnusedPrior& unused : own.unused)
+      if (std::ranges::find(all.unused, unused.name, &UnusedPrior::name) == all.unused.end())
+        all.unused.push_back(std::move(unused));
+  }
+  return all;
 }
 
 }  // namespace earthtop::measure

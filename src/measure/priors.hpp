@@ -6,7 +6,8 @@
 
 #include "earthtop/measure/measurement.hpp"
 #include "earthtop/scene/scene.hpp"
-#include "measure/estimated_inputs.hpp"
+#include "measure/compared_release.hpp"
+#include "measure/joint_inputs.hpp"
 #include "measure/weighted_fit.hpp"
 
 namespace earthtop::measure {
@@ -18,7 +19,12 @@ struct FoundPriors {
   std::vector<UnusedPrior> unused;
 };
 
+/// @param inputs  those that are estimated of the scene
 /// @throws ScenarioError where the scenario has no such block
 FoundPriors find_priors(const Scene& scene, const std::vector<EstimatedInput>& inputs);
+
+/// The same of several releases. What is known of a shared number is one datum, whichever scenarios state it: the first's.
+/// @throws ScenarioError where no scenario has such a block
+FoundPriors find_priors(const std::vector<ComparedRelease>& releases, const JointInputs& inputs);
 
 }  // namespace earthtop::measure

@@ -23,7 +23,8 @@ std::string words_on(const std::vector<InputError>& culprits) {
                         i == 0           ? ""
                         : i + 1 == named ? " or "
                                          : ", ",
-                        culprits[i].name, culprits[i].error, culprits[i].unit.empty() ? "" : " ", culprits[i].unit);
+                        name_in_release(culprits[i].name, culprits[i].release), culprits[i].error,
+                        culprits[i].unit.empty() ? "" : " ", culprits[i].unit);
   return text + " would do it";
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace earthtop::measure {
 namespace {
@@ -42,9 +43,18 @@ bool ScaledProblem::predict(const std::vector<double>& u, Eigen::VectorXd& f) {
   return f.allFinite();
 }
 
+const Eigen::VectorXd* ScaledProblem::predicted_at(const std::vector<double>& u) {
+  if (here_at_ == u) return &here_;
+  here_at_.clear();
+  if (!predict(u, here_)) return nullptr;
+  here_at_ = u;
+  return &here_;
+}
+
 bool ScaledProblem::evaluate(const std::vector<double>& u, Eigen::VectorXd& f) {
-  Eigen::VectorXd data;
-  if (!predict(u, data)) return false;
+  const Eigen::VectorXd* const here = predicted_at(u);
+  if (!here) return false;
+  Eigen::VectorXd data = *here;
   problem_.whitening.whiten(data);
   f.resize(static_cast<Eigen::Index>(residuals()));
   f.head(data.size()) = data;
@@ -84,10 +94,14 @@ bool ScaledProblem::differentiate(const std::vector<double>& u, std::size_t para
 
 bool ScaledProblem::jacobian(const std::vector<double>& u, Eigen::MatrixXd& J) {
   J.resize(static_cast<Eigen::Index>(residuals()), static_cast<Eigen::Index>(parameters()));
-  Eigen::VectorXd column, here;
-  if (problem_.rough && !predict(u, here)) return false;
+  Eigen::VectorXd column;
+  const Eigen::VectorXd* const here = problem_.rough ? predicted_at(u) : nullptr;
+  if (problem_.rough && !here) return false;
   for (std::size_t j = 0; j < parameters(); ++j) {
-    if (!differentiate(u, j, column, problem_.rough ? &here : nullptr)) return false;
+    if (columns_at_ == u && columns_[j].size() > 0)
+      column = columns_[j];
+    else if (!differentiate(u, j, column, here))
+      return false;
     J.col(static_cast<Eigen::Index>(j)) = with_priors(column, j);
   }
   return true;
@@ -112,20 +126,22 @@ double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, doub
 }
 
 ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, std::size_t parameter) {
-  Eigen::VectorXd derivative, here;
-  if (problem_.rough && !predict(u, here)) return StepFound::no_prediction;
-  return find_step(u, parameter, kFine, derivative, problem_.rough ? &here : nullptr);
+  const Eigen::VectorXd* const here = problem_.rough ? predicted_at(u) : nullptr;
+  if (problem_.rough && !here) return StepFound::no_prediction;
+  if (columns_at_ != u) columns_.assign(parameters(), {});
+  columns_at_ = u;
+  Eigen::VectorXd derivative;
+  const StepFound found = find_step(u, parameter, kFine, derivative, here);
+  if (found == StepFound::yes) columns_[parameter] = std::move(derivative);
+  return found;
 }
 
 ScaledProblem::StepFound ScaledProblem::derivative(const std::vector<double>& u, std::size_t parameter, Step wanted,
                                                    Eigen::VectorXd& column) {
   Eigen::VectorXd of_data;
   StepFound found = StepFound::no_prediction;
-  if (wanted == Step::rough && rough_at_ != u) rough_at_ = predict(u, here_) ? u : std::vector<double>();
-  if (wanted == Step::fine)
-    found = find_step(u, parameter, kFine, of_data, nullptr);
-  else if (!rough_at_.empty())
-    found = find_step(u, parameter, kRough, of_data, &here_);
+  const Eigen::VectorXd* const here = wanted == Step::rough ? predicted_at(u) : nullptr;
+  if (wanted == Step::fine || here) found = find_step(u, parameter, wanted == Step::fine ? kFine : kRough, of_data, here);
   if (found != StepFound::yes) of_data.setZero(static_cast<Eigen::Index>(problem_.standard_error.size()));
   column = with_priors(std::move(of_data), parameter);
   return found;

@@ -40,6 +40,8 @@ class ScaledProblem {
 
  private:
   bool predict(const std::vector<double>& u, Eigen::VectorXd& f);
+  /// The residuals at a place from which differences are taken; null where there is no prediction.
+  const Eigen::VectorXd* predicted_at(const std::vector<double>& u);
   bool differentiate(const std::vector<double>& u, std::size_t parameter, Eigen::VectorXd& derivative,
                      const Eigen::VectorXd* here);
   StepFound find_step(const std::vector<double>& u, std::size_t parameter, double within, Eigen::VectorXd& derivative,
@@ -50,8 +52,10 @@ class ScaledProblem {
   const FitProblem& problem_;
   std::vector<double> steps_;
   std::vector<double> residuals_;
-  std::vector<double> rough_at_;  // where rough derivatives are taken
-  Eigen::VectorXd here_;          // the residuals there
+  std::vector<double> here_at_;           // the latest place of a whole set of residuals
+  Eigen::VectorXd here_;                  // the data's residuals there, not whitened
+  std::vector<double> columns_at_;        // the place at which steps were found
+  std::vector<Eigen::VectorXd> columns_;  // of each parameter, the data's derivatives that its step gave there; empty: none
 };
 
 }  // namespace earthtop::measure

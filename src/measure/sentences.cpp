@@ -58,7 +58,8 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
                                    [&](const SpokenInput& input) { return input.name == given.name; });
   const bool is_known = known != std::end(kSpokenInputs);
-  std::string text = fmt::format("{} is {}{}{}", is_known ? known->spoken : std::string_view(given.name),
+  std::string text = fmt::format("{}{} is {}{}{}", given.release > 0 ? fmt::format("in release {}, ", given.release) : "",
+                                 is_known ? known->spoken : std::string_view(given.name),
                                  with_standard_error(*given.estimate, error), given.unit.empty() ? "" : " ", given.unit);
   if (!(error > 0) || !std::isfinite(error)) return text;
   if (error > *given.standard_error)
@@ -73,7 +74,7 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
 std::string hint_sentence(const FitHint& hint) {
   std::string values;
   for (const FitHint::Value& v : hint.values)
-    values += fmt::format("{}{} = {}{}{}", values.empty() ? "" : " with ", v.name,
+    values += fmt::format("{}{} = {}{}{}", values.empty() ? "" : " with ", name_in_release(v.name, v.release),
                           with_standard_error(v.value, v.standard_error), v.unit.empty() ? "" : " ", v.unit);
   return fmt::format("{} would leave chi-squared {:.6g}, to first order; estimate {}", values, hint.chi_squared,
                      hint.values.size() > 1 ? "them" : "it");

@@ -5,7 +5,7 @@
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_vector.h>
 
-#include <Eigen/Core>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <exception>
@@ -23,6 +23,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The largest next step of a fit that has converged, in standard errors, and the largest number of iterations.
 constexpr double kConverged = 1e-3, kRoughlyConverged = 0.1;
@@ -85,6 +86,56 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
   }
 }
 
+/// Whether derivatives tell all parameters apart.
+bool determine_all(const MatrixXd& J, const Callbacks& callbacks) {
+  const RowMajor rows = J;
+  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
+  const gsl_matrix_const_view matrix =
+      gsl_matrix_const_view_array(rows.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
+  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
+  return Influences(&matrix.matrix, &none.vector).determine_all(callbacks.priors > 0 ? kLeastWithPriors : Influences::kLeast);
+}
+
+/// Steps along fixed derivatives.
+struct Advance {
+  int steps = 0;
+  bool converged = false;  // whether the next step would be short enough, by these derivatives
+  double chi_squared = 0;
+};
+
+/// Steps along the derivatives at u, whose differences have been found: each costs one motion where new derivatives cost one or two
+/// for each parameter. The last step that was good is kept.
+/// @param most  of the next step of a fit that has converged, in standard errors
+Advance advance(ScaledProblem& problem, const Callbacks& callbacks, std::vector<double>& u, double most) {
+  constexpr int kMost = 12;
+  constexpr double kKept = 0.5;  // of what the derivatives promise
+  Advance done;
+  MatrixXd J;
+  VectorXd f;
+  if (!problem.evaluate(u, f) || !problem.jacobian(u, J)) return done;
+  if (callbacks.priors > 0) leave_to_priors(J, callbacks);
+  if (!determine_all(J, callbacks)) return done;
+  const Eigen::HouseholderQR<MatrixXd> qr(J);
+  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), J.cols());
+  const MatrixXd R = qr.matrixQR().topRows(J.cols()).triangularView<Eigen::Upper>();
+  const double freedom = static_cast<double>(std::max<Index>(J.rows() - J.cols(), 1));
+  for (; done.steps < kMost; ++done.steps) {
+    const VectorXd along = Q.transpose() * f;
+    done.chi_squared = f.squaredNorm();
+    done.converged = along.norm() <= most * std::sqrt(std::max(1.0, done.chi_squared / freedom));
+    if (done.converged) return done;
+    const VectorXd step = R.triangularView<Eigen::Upper>().solve(along);
+    std::vector<double> next = u;
+    for (Index j = 0; j < step.size(); ++j) next[static_cast<std::size_t>(j)] -= step[j];
+    VectorXd then;
+    if (!problem.evaluate(next, then)) return done;
+    if (!(done.chi_squared - then.squaredNorm() >= kKept * along.squaredNorm())) return done;
+    u = std::move(next);
+    f = std::move(then);
+  }
+  return done;
+}
+
 std::string why_not_converged(bool no_progress, bool all_predicted) {
   if (!no_progress) return "the sum of squares is still decreasing";
   return all_predicted ? "no step reduces the sum of squares, though to first order it is not at its minimum"
@@ -118,10 +169,22 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
     return fit;
   }
 
+  Callbacks callbacks{&problem, nullptr, 0, true, std::move(without_influence), static_cast<Index>(given.priors.size())};
+  const double converged = given.rough ? kRoughlyConverged : kConverged;
+  const Advance advanced = advance(problem, callbacks, u, converged);
+  fit.iterations = advanced.steps;
+  if (given.rough && advanced.converged) {
+    fit.outcome = FitOutcome::converged;
+    fit.parameters = problem.unscaled(u);
+    fit.steps = problem.steps();
+    fit.chi_squared = advanced.chi_squared;
+    return fit;
+  }
+  const int most_iterations = given.rough ? kMostRoughIterations : kMostIterations;
+
   const gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
   const std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)> workspace(
       allocated(gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, n, p)), gsl_multifit_nlinear_free);
-  Callbacks callbacks{&problem, nullptr, 0, true, std::move(without_influence), static_cast<Index>(given.priors.size())};
   gsl_multifit_nlinear_fdf functions{};
   functions.f = evaluate_residuals;
   functions.df = evaluate_jacobian;
@@ -147,15 +210,17 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       return fit;
     }
     const double scatter = n > p ? std::max(1.0, influences.chi_squared() / static_cast<double>(n - p)) : 1.0;
-    if (influences.next_step() <= (given.rough ? kRoughlyConverged : kConverged) *
-                                      std::sqrt(scatter)) {  // in scaled errors if the scatter is larger than stated
+    if (influences.next_step() <= converged * std::sqrt(scatter)) {  // in scaled errors if the scatter is larger than stated
       fit.outcome = FitOutcome::converged;
+      fit.jacobian =
+          Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(workspace->J->data, static_cast<Index>(n), static_cast<Index>(p),
+                                                              Eigen::OuterStride<>(static_cast<Index>(workspace->J->tda)));
       const Eigen::Map<const VectorXd> scales(given.scales.data(), static_cast<Index>(p));
       const MatrixXd covariance = scales.asDiagonal() * influences.covariance() * scales.asDiagonal();
       fit.covariance = (covariance + covariance.transpose()) / 2;  // symmetric to the last bit
       return fit;
     }
-    if (status == GSL_ENOPROG || fit.iterations == (given.rough ? kMostRoughIterations : kMostIterations)) {
+    if (status == GSL_ENOPROG || fit.iterations >= most_iterations) {
       fit.reason = why_not_converged(status == GSL_ENOPROG, callbacks.all_predicted);
       return fit;
     }

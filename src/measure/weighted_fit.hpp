@@ -43,6 +43,7 @@ struct Fit {
   std::vector<double> steps;              ///< of the differences, in scales
   double chi_squared = 0;                 ///< there, with that of the priors
   Eigen::MatrixXd covariance;             ///< of the parameters, from the stated standard errors; of a fit that has converged
+  Eigen::MatrixXd jacobian;  ///< of such a fit: of the whitened residuals, priors below them, by parameters in scales
   int iterations = 0;
 };
 
@@ -55,6 +56,9 @@ inline constexpr double kPredictionError_rad = 1e-11;
 /// difference, and the term of third order 1e-8 of it. No step is above a thousandth of the parameter's scale, so that for weak
 /// influences, such as the Earth's, the first of these errors grows to about 1e-6. The estimate does not suffer from that,
 /// since derivatives only lead to the least sum of squares; the standard error loses its sixth digit.
+///
+/// Before that, steps go along the derivatives at the start, as long as the sum of squares falls by at least half of what these
+/// derivatives promise: such a step costs one motion.
 ///
 /// A fit has converged if its next full step would be at most a thousandth of the standard errors; a rough one, a tenth.
 Fit fit_weighted(const FitProblem& problem);

@@ -35,6 +35,14 @@ Whitening::Whitening(const std::vector<MeasurementResidual>& residuals, double t
   }
 }
 
+void Whitening::append(const Whitening& other) {
+  const std::size_t before = links_.size();
+  for (Link link : other.links_) {
+    if (link.before) *link.before += before;
+    links_.push_back(link);
+  }
+}
+
 void Whitening::whiten(Eigen::VectorXd& normalised) const {
   if (links_.empty()) return;
   Eigen::VectorXd unfolded = normalised;

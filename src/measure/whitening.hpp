@@ -23,6 +23,9 @@ class Whitening {
   /// the same
   Whitening(const std::vector<MeasurementResidual>& residuals, double tau_s, const std::string& file);
 
+  /// Adds the residuals of another release behind these: their errors are independent of these.
+  void append(const Whitening& other);
+
   /// Whitens residuals in their standard errors. An azimuth's whole turns are chosen so that what is new in it is at most half
   /// a turn; where errors are independent, this is the residual nearest to 0.
   void whiten(Eigen::VectorXd& normalised) const;

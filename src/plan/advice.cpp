@@ -82,8 +82,9 @@ std::string change_text(const PlanReport& report, const PlanVariation& change) {
     case PlanChange::known:
     case PlanChange::prior: break;
   }
-  const auto input = std::find_if(report.estimates.begin(), report.estimates.end(),
-                                  [&](const PlannedEstimate& estimate) { return estimate.name == change.input; });
+  const auto input = std::find_if(report.estimates.begin(), report.estimates.end(), [&](const PlannedEstimate& estimate) {
+    return name_in_release(estimate.name, estimate.release) == change.input;
+  });
   return fmt::format("determine {} in another way, to ± {:.2g}{}{} where it would be ± {:.2g}", change.input,
                      change.input_error, input->unit.empty() ? "" : " ", input->unit, *input->standard_error);
 }
@@ -117,10 +118,11 @@ void compare_changes(PlanReport& report, const Derivatives& derivatives, const s
   for (std::size_t k = 1; k < report.estimates.size(); ++k) {
     const auto other = static_cast<Index>(k);
     const PlannedEstimate& input = report.estimates[k];
-    PlanVariation known{PlanChange::known, 1, input.name, 0, report.rows, error_with(bound.covariance, other, INFINITY)};
+    const std::string name = name_in_release(input.name, input.release);
+    PlanVariation known{PlanChange::known, 1, name, 0, report.rows, error_with(bound.covariance, other, INFINITY)};
     report.variations.push_back(std::move(known));
     const double information = 1 / (kBetterKnown * kBetterKnown);
-    offer({PlanChange::prior, 1, input.name, kBetterKnown * *input.standard_error, report.rows,
+    offer({PlanChange::prior, 1, name, kBetterKnown * *input.standard_error, report.rows,
            error_with(bound.covariance, other, information)});
   }
   std::stable_sort(report.variations.begin(), report.variations.end(),

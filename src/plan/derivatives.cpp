@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 
 #include "measure/prediction_problem.hpp"
@@ -54,8 +55,10 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
   const std::vector<MeasurementResidual> own = measure::residuals_of(measurement, motion);
   found.values = values_of(measurement, quantities.size(), own);
 
-  measure::Trials trials{predictions, part, part, {}};
-  const FitProblem problem = measure::prediction_problem(inputs, measurement, own, times_s, watch, trials);
+  measure::Trials trials{predictions, part, part};
+  const measure::JointInputs alone({&inputs}, {estimated}, {});
+  const std::vector<measure::VariedRelease> varied = {measure::varied_release(inputs, measurement, own)};
+  const FitProblem problem = measure::prediction_problem(alone, varied, watch, trials);
   ScaledProblem scaled(problem);
   const std::vector<double> start(inputs.list().size(), 1);
   try {
@@ -80,6 +83,33 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
     found.status = RunStatus::interrupted;
   }
   return found;
+}
+
+Derivatives joined(const std::vector<Derivatives>& releases, const measure::JointInputs& inputs) {
+  Derivatives all;
+  Eigen::Index rows = 0, row = 0;
+  for (const Derivatives& release : releases) rows += release.J.rows();
+  const auto estimated = static_cast<Eigen::Index>(inputs.fitted());
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(inputs.list().size()));
+  std::size_t series = 0;
+  for (std::size_t r = 0; r < releases.size(); ++r) {
+    const Derivatives& release = releases[r];
+    const std::size_t begin = series;
+    for (PlannedValue value : release.values) {
+      value.series += begin;
+      series = std::max(series, value.series + 1);
+      all.values.push_back(value);
+    }
+    for (std::size_t i = 0; i < inputs.places(r).size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i), own = release.J.cols();
+      J.col(static_cast<Eigen::Index>(inputs.places(r)[i])).segment(row, release.J.rows()) =
+          at < own ? release.J.col(at) : release.exact.col(at - own);
+    }
+    row += release.J.rows();
+  }
+  all.J = J.leftCols(estimated);
+  all.exact = J.rightCols(J.cols() - estimated);
+  return all;
 }
 
 }  // namespace earthtop::plan

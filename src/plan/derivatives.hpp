@@ -10,7 +10,7 @@
 
 #include "earthtop/plan/plan.hpp"
 #include "earthtop/watch.hpp"
-#include "measure/estimated_inputs.hpp"
+#include "measure/joint_inputs.hpp"
 
 namespace earthtop::plan {
 
@@ -39,5 +39,9 @@ struct Derivatives {
 Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& inputs, std::size_t estimated,
                            const std::vector<PlannedQuantity>& quantities, const std::vector<double>& times_s,
                            const Watch& watch, std::int64_t& predictions);
+
+/// The derivatives of the values of all releases, one after the other, by the numbers of all.
+/// @param releases  that are determined   @param inputs  theirs, exact ones included
+Derivatives joined(const std::vector<Derivatives>& releases, const measure::JointInputs& inputs);
 
 }  // namespace earthtop::plan

@@ -13,16 +13,18 @@ namespace {
 using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
 
 Json estimate_json(const PlannedEstimate& estimate) {
-  return {{"name", estimate.name},
-          {"unit", estimate.unit},
-          {"value", estimate.value},
-          {"nuisance", estimate.is_nuisance},
-          {"prior", or_nothing(estimate.prior)},
-          {"standard_error", or_nothing(estimate.standard_error)},
-          {"significance", or_nothing(estimate.significance())},
-          {"standard_error_alone", or_nothing(estimate.standard_error_alone)},
-          {"finding", measure::finding_json(estimate.finding)},
-          {"exact", measure::exact_json(estimate.exact, estimate.standard_error)}};
+  Json json = {{"name", estimate.name},
+               {"unit", estimate.unit},
+               {"value", estimate.value},
+               {"nuisance", estimate.is_nuisance},
+               {"prior", or_nothing(estimate.prior)},
+               {"standard_error", or_nothing(estimate.standard_error)},
+               {"significance", or_nothing(estimate.significance())},
+               {"standard_error_alone", or_nothing(estimate.standard_error_alone)},
+               {"finding", measure::finding_json(estimate.finding)},
+               {"exact", measure::exact_json(estimate.exact, estimate.standard_error)}};
+  measure::put_release(json, estimate.release);
+  return json;
 }
 
 Json variation_json(const PlanVariation& variation) {
@@ -61,29 +63,32 @@ std::string plan_json(const PlanReport& report) {
   for (const PlanVariation& variation : report.variations) variations.push_back(variation_json(variation));
   for (const PlanVariation& change : report.changes) changes.push_back(variation_json(change));
   for (const auto& [name, change] : report.undetermined) undetermined.push_back({{"name", name}, {"change", change}});
-  const Json document = {{"$schema", "earthtop-plan-1.json"},
-                         {"scenario", {{"name", report.scenario_name}, {"sha256", report.scenario_sha256}}},
-                         {"plan",
-                          {{"quantities", quantities},
-                           {"every_s", report.plan.every_s},
-                           {"until_s", or_nothing(report.plan.until_s)},
-                           {"correlation_time_s", report.plan.correlation_time_s},
-                           {"rows", report.rows},
-                           {"values", report.values}}},
-                         {"prediction",
-                          {{"status", std::string(to_string(report.status))},
-                           {"verdict", report.verdict ? Json(std::string(to_string(*report.verdict))) : Json(nullptr)},
-                           {"motions", report.predictions}}},
-                         {"outcome", std::string(to_string(report.outcome))},
-                         {"reason", report.reason},
-                         {"undetermined", undetermined},
-                         {"estimates", estimates},
-                         {"correlation", report.correlation},
-                         {"variations", variations},
-                         {"changes", changes},
-                         {"advice", report.advice},
-                         {"optimum", report.optimum ? optimum_json(*report.optimum) : Json(nullptr)},
-                         {"notes", report.notes}};
+  Json document = {{"$schema", "earthtop-plan-1.json"},
+                   {"scenario", {{"name", report.scenario_name}, {"sha256", report.scenario_sha256}}},
+                   {"plan",
+                    {{"quantities", quantities},
+                     {"every_s", report.plan.every_s},
+                     {"until_s", or_nothing(report.plan.until_s)},
+                     {"correlation_time_s", report.plan.correlation_time_s},
+                     {"rows", report.rows},
+                     {"values", report.values}}},
+                   {"prediction",
+                    {{"status", std::string(to_string(report.status))},
+                     {"verdict", report.verdict ? Json(std::string(to_string(*report.verdict))) : Json(nullptr)},
+                     {"motions", report.predictions}}},
+                   {"outcome", std::string(to_string(report.outcome))},
+                   {"reason", report.reason},
+                   {"undetermined", undetermined},
+                   {"estimates", estimates},
+                   {"correlation", report.correlation},
+                   {"variations", variations},
+                   {"changes", changes},
+                   {"advice", report.advice},
+                   {"optimum", report.optimum ? optimum_json(*report.optimum) : Json(nullptr)},
+                   {"notes", report.notes}};
+  for (const ReleasePlan& release : report.releases)
+    document["releases"].push_back({{"scenario", {{"name", release.scenario_name}, {"sha256", release.scenario_sha256}}},
+                                    {"standard_error_alone", or_nothing(release.standard_error)}});
   return sealed_document(document);
 }
 

@@ -126,7 +126,7 @@ class Designs {
     if (derivatives.outcome != PlanOutcome::determined) return tried;
     ValueChoice choice;
     choice.correlation_time_s = plan_.correlation_time_s;
-    tried.error = bound_of(derivatives, scales_of(inputs), numbers_.priors, choice).standard_error(0);
+    tried.error = bound_of(derivatives, scales_of(inputs.list()), numbers_.priors, choice).standard_error(0);
     return tried;
   }
 

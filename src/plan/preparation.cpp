@@ -73,16 +73,27 @@ MeasurementPlan completed(MeasurementPlan plan, const Scene& scene) {
   if (!(plan.correlation_time_s >= 0) || !std::isfinite(plan.correlation_time_s))
     throw ScenarioError("--correlation-time", "must be a time of at least 0 (s)");
   if (!plan.until_s) plan.until_s = scene.scenario().duration_s;
-  if (plan.estimates.empty())
+  const auto is_estimate = [&](const std::string& name) {
+    return std::ranges::find(plan.nuisances, name) == plan.nuisances.end();
+  };
+  if (plan.estimates.empty() && std::ranges::none_of(plan.shared, is_estimate))
     plan.estimates.emplace_back(scene.scenario().effects.applied.gimbal ? "omega_cos_latitude_rad_s"
                                                                         : "omega_sin_latitude_rad_s");
   count_rows(plan.every_s, *plan.until_s);
   return plan;
 }
 
+bool is_wanted(const std::string& name, const MeasurementPlan& plan) {
+  const auto has = [&](const std::vector<std::string>& names) { return std::ranges::find(names, name) != names.end(); };
+  return has(plan.estimates) || (has(plan.shared) && !has(plan.nuisances));
+}
+
 Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, const Scene& scene, const MeasurementPlan& plan) {
-  Numbers numbers{plan.estimates, {}, {}};
+  Numbers numbers{plan.estimates, 0, {}, {}};
+  for (const std::string& name : plan.shared)
+    if (std::ranges::find(plan.estimates, name) == plan.estimates.end() && is_wanted(name, plan)) numbers.names.push_back(name);
   numbers.names.insert(numbers.names.end(), plan.nuisances.begin(), plan.nuisances.end());
+  numbers.asked = numbers.names.size();
   const auto inputs_of = [&](const std::vector<std::string>& names) {
     return EstimatedInputs(source, overrides, scene, names, kMostNumbers);
   };
@@ -106,9 +117,9 @@ Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, con
   return numbers;
 }
 
-std::vector<double> scales_of(const EstimatedInputs& inputs) {
+std::vector<double> scales_of(const std::vector<measure::EstimatedInput>& inputs) {
   std::vector<double> scales;
-  for (const measure::EstimatedInput& input : inputs.list()) scales.push_back(input.scale);
+  for (const measure::EstimatedInput& input : inputs) scales.push_back(input.scale);
   return scales;
 }
 

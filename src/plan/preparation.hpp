@@ -22,14 +22,18 @@ MeasurementPlan completed(MeasurementPlan plan, const Scene& scene);
 /// The numbers that are fitted: estimates, nuisances, and inputs whose standard error the scenario states.
 struct Numbers {
   std::vector<std::string> names;
+  std::size_t asked = 0;  ///< the number of names, the first ones, that the plan has
   std::vector<InputPrior> priors;
   std::vector<std::string> notes;  ///< stated standard errors that are not used, and why
 };
 /// @throws ScenarioError for names that cannot be estimated
 Numbers numbers_of(const ScenarioSource& source, const Overrides& overrides, const Scene& scene, const MeasurementPlan& plan);
 
+/// Whether a number is wanted, and not only fitted because it is not known.
+bool is_wanted(const std::string& name, const MeasurementPlan& plan);
+
 inline constexpr std::size_t kMostNumbers = 12;
 
-std::vector<double> scales_of(const measure::EstimatedInputs& inputs);
+std::vector<double> scales_of(const std::vector<measure::EstimatedInput>& inputs);
 
 }  // namespace earthtop::plan

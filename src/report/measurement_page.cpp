@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page of a measurement compared with a scenario, from the document that `compare SCENARIO MEASURED --json` writes.
+// The page of a measurement compared with a scenario, or of several releases, from the document that `compare --json` writes.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::string estimates_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& estimate : document.at("estimates")) {
     const std::string unit = estimate.at("unit").get<std::string>();
-    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_html(estimate.at("estimate"), unit, 9),
+    rows.push_back({escaped(input_name(estimate)), number_html(estimate.at("estimate"), unit, 9),
                     number_html(estimate.at("standard_error"), unit, 2),
                     number_html(estimate.at("standard_error_scaled"), unit, 2), number_html(estimate.at("start"), unit, 9)});
   }
@@ -67,7 +67,7 @@ std::string correlation_html(const Json& document) {
   std::vector<std::string> header = {""};
   std::vector<std::vector<std::string>> rows;
   for (std::size_t j = 0; j < correlation.size(); ++j) {
-    const std::string name = document.at("estimates").at(j).at("name").get<std::string>();
+    const std::string name = input_name(document.at("estimates").at(j));
     header.push_back(name);
     std::vector<std::string> row = {"<strong>" + escaped(name) + "</strong>"};
     for (const Json& value : correlation.at(j)) row.push_back(number_html(value, "", 3));
@@ -85,11 +85,16 @@ std::string exact_html(const Json& document) {
   return html.empty() ? exact_inputs_html(estimates.front()) : html;
 }
 
+std::string quotation_html(const Json& document) {
+  const std::string text = words_of(document, "quotation");
+  return text.empty() ? "" : "<h3>To quote</h3>\n<p>" + escaped(text) + "</p>\n";
+}
+
 std::string priors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& prior : document.value("priors", Json::array())) {
     const std::string unit = words_of(prior, "unit");
-    rows.push_back({escaped(words_of(prior, "input")), number_html(prior.at("mean"), unit, 9),
+    rows.push_back({escaped(input_name(prior, "input")), number_html(prior.at("mean"), unit, 9),
                     number_html(prior.at("standard_error"), unit, 3), number_html(prior.at("pull"), "", 3)});
   }
   std::vector<std::string> unused;
@@ -103,11 +108,10 @@ std::string priors_html(const Json& document) {
          list_html(unused);
 }
 
-std::string agreement_html(const Json& document) {
-  const Json &prediction = document.at("prediction"), &fit = document.at("fit");
-  Facts facts = {{"prediction", fmt::format("{}, to {}", escaped(prediction.at("status").get<std::string>()),
-                                            number_html(prediction.at("reached_s"), "s", 6))},
-                 {"chi-squared as given", chi_squared_html(document.at("chi_squared").at("as_given"))}};
+/// What the fit and chi-squared say; facts on the motions come first.
+std::string agreement_html(const Json& document, Facts facts, std::vector<std::string> notes) {
+  const Json& fit = document.at("fit");
+  facts.emplace_back("chi-squared as given", chi_squared_html(document.at("chi_squared").at("as_given")));
   if (const std::string outcome = fit.at("outcome").get<std::string>(); outcome != "not_asked") {
     const std::string reason = fit.at("reason").get<std::string>();
     facts.emplace_back("fit", escaped(reason.empty() ? outcome : outcome + ": " + reason));
@@ -118,13 +122,20 @@ std::string agreement_html(const Json& document) {
     facts.emplace_back("errors",
                        "correlated over " + number_html(time, "s", 6) +
                            ", as stated; chi-squared counts the part of each residual that the one before does not predict");
-  std::vector<std::string> notes;
-  for (const Json& hint : document.value("hints", Json::array()))
-    notes.push_back(escaped(hint.at("sentence").get<std::string>()));
   for (const Json& note : document.at("notes")) notes.push_back(escaped(note.get<std::string>()));
-  return facts_html(facts) + list_html(notes) +
+  std::vector<std::string> list;
+  for (const Json& hint : document.value("hints", Json::array()))
+    list.push_back(escaped(hint.at("sentence").get<std::string>()));
+  list.insert(list.end(), notes.begin(), notes.end());
+  return facts_html(facts) + list_html(list) +
          "<p>The p-value is the probability of a chi-squared at least as large if the scenario and the stated standard errors "
          "are right.</p>\n";
+}
+
+std::string prediction_html(const Json& document) {
+  const Json& prediction = document.at("prediction");
+  return fmt::format("{}, to {}", escaped(prediction.at("status").get<std::string>()),
+                     number_html(prediction.at("reached_s"), "s", 6));
 }
 
 /// The times of a figure's measured values, in its unit.
@@ -136,40 +147,85 @@ std::vector<double> measured_times(const Figure& figure) {
   return {times.begin(), times.end()};
 }
 
+/// The charts of one release: data and model, and the histogram of the residuals.
+/// @param release  counted from 1; 0 where there is only one
+void add_charts(Page& page, const MeasurementReport& report, bool is_fitted, std::size_t release) {
+  if (report.residuals.empty()) return;
+  const std::string suffix = release > 0 ? fmt::format("-{}", release) : "";
+  const std::string of = release > 0 ? fmt::format(" of release {}", release) : "";
+  Figure over_time = measurement_figure(report);
+  std::vector<double> times = measured_times(over_time);
+  page.section(
+      "data" + suffix, "Data and model" + of,
+      page.chart("data" + suffix, std::move(over_time),
+                 "The measured values, the model, and their difference in standard errors. Azimuths are counted beyond "
+                 "whole turns where the model's lie close enough together.",
+                 std::move(times)));
+  page.section(
+      "residuals" + suffix, (is_fitted ? "Residuals after the fit" : "Residuals") + of,
+      page.chart("residuals" + suffix, residuals_histogram(report),
+                 report.correlation_time_s > 0
+                     ? "What is new in each residual after those before it, and the counts expected of normally distributed "
+                       "errors of the stated size and correlation."
+                     : "Residuals in standard errors, and the counts expected of independent, normally distributed errors "
+                       "of the stated size."));
+}
+
+void add_estimates(Page& page, const Json& document) {
+  if (document.at("estimates").empty()) return;
+  page.section("estimates", "Estimates",
+               list_html(sentences(document)) + estimates_html(document) + correlation_html(document) + priors_html(document) +
+                   exact_html(document) + quotation_html(document));
+}
+
+void add_verdict(Page& page, bool agrees) {
+  page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
+}
+
 }  // namespace
 
 Report measurement_page(const Json& document, const std::vector<std::string>& notes) {
   const bool agrees = document.at("agrees").get<bool>();
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
   Page page("measurement", "Measurement of " + scenario, notes);
-  const std::vector<std::string> told = sentences(document);
   page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
                             count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),
                             agrees ? "agree" : "do not agree"));
-  page.verdict(agrees ? "same" : "differs", agrees ? "<strong>agrees</strong>" : "<strong>does not agree</strong>");
-  if (!document.at("estimates").empty())
-    page.section(
-        "estimates", "Estimates",
-        list_html(told) + estimates_html(document) + correlation_html(document) + priors_html(document) + exact_html(document));
-  page.section("agreement", "Agreement", agreement_html(document));
-  const MeasurementReport report = measure::measurement_of(document);
-  if (report.residuals.empty()) return page.finish();
-  Figure over_time = measurement_figure(report);
-  std::vector<double> times = measured_times(over_time);
-  page.section(
-      "data", "Data and model",
-      page.chart("data", std::move(over_time),
-                 "The measured values, the model, and their difference in standard errors. Azimuths are counted beyond "
-                 "whole turns where the model's lie close enough together.",
-                 std::move(times)));
-  page.section(
-      "residuals", document.at("residuals_of") == "fitted" ? "Residuals after the fit" : "Residuals",
-      page.chart("residuals", residuals_histogram(report),
-                 report.correlation_time_s > 0
-                     ? "What is new in each residual after those before it, and the counts expected of normally distributed "
-                       "errors of the stated size and correlation."
-                     : "Residuals in standard errors, and the counts expected of independent, normally distributed errors "
-                       "of the stated size."));
+  add_verdict(page, agrees);
+  add_estimates(page, document);
+  page.section("agreement", "Agreement", agreement_html(document, {{"prediction", prediction_html(document)}}, {}));
+  add_charts(page, measure::measurement_of(document), document.at("residuals_of") == "fitted", 0);
+  return page.finish();
+}
+
+Report releases_page(const Json& document, const std::vector<std::string>& notes) {
+  const bool agrees = document.at("agrees").get<bool>();
+  const Json& releases = document.at("releases");
+  Page page("measurement", fmt::format("{} releases, one fit", releases.size()), notes);
+  page.headline(fmt::format("{} releases compared with their scenarios by one fit: they <strong>{}</strong>.", releases.size(),
+                            agrees ? "agree" : "do not agree"));
+  add_verdict(page, agrees);
+  add_estimates(page, document);
+  Facts facts;
+  std::vector<std::string> doubts;
+  for (std::size_t r = 0; r < releases.size(); ++r) {
+    const Json& release = releases.at(r);
+    const Json& both = release.at("chi_squared");
+    const Json& last = both.at("fitted").is_object() ? both.at("fitted") : both.at("as_given");
+    facts.emplace_back(
+        fmt::format("release {}", r + 1),
+        fmt::format("{} against {}: {} rows; prediction {}; chi-squared {} of {} values", escaped(words_of(release, "file")),
+                    escaped(words_of(release.at("scenario"), "name")), count_in(release.at("rows")), prediction_html(release),
+                    number_html(last.at("value").get<double>(), "", 6), release.at("residuals").size()));
+    for (const Json& note : release.at("notes"))
+      doubts.push_back(escaped(fmt::format("release {}: {}", r + 1, note.get<std::string>())));
+  }
+  page.section("agreement", "Agreement", agreement_html(document, std::move(facts), std::move(doubts)));
+  for (std::size_t r = 0; r < releases.size(); ++r) {
+    MeasurementReport report = measure::measurement_of(releases.at(r));
+    if (const Json time = document.at("correlation_time_s"); time.is_number()) report.correlation_time_s = time.get<double>();
+    add_charts(page, report, releases.at(r).at("residuals_of") == "fitted", r + 1);
+  }
   return page.finish();
 }
 

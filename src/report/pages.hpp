@@ -14,6 +14,7 @@ Report study_page(const std::filesystem::path& store, const Watch& watch);
 // @param notes  sentences on what could not be verified
 Report comparison_page(const Json& document, const std::vector<std::string>& notes);
 Report measurement_page(const Json& document, const std::vector<std::string>& notes);
+Report releases_page(const Json& document, const std::vector<std::string>& notes);
 Report plan_page(const Json& document, const std::vector<std::string>& notes);
 Report bench_page(const Json& document, const std::vector<std::string>& notes);
 

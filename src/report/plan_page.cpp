@@ -44,7 +44,7 @@ std::string errors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& estimate : document.at("estimates")) {
     const std::string unit = estimate.at("unit").get<std::string>();
-    rows.push_back({escaped(estimate.at("name").get<std::string>()), number_html(estimate.at("value"), unit, 7),
+    rows.push_back({escaped(input_name(estimate)), number_html(estimate.at("value"), unit, 7),
                     number_html(estimate.at("standard_error"), unit, 3), number_html(estimate.at("significance"), "", 3),
                     number_html(estimate.at("standard_error_alone"), unit, 3), number_html(estimate.at("prior"), unit, 3)});
   }
@@ -60,6 +60,15 @@ std::string costs_html(const Json& document, const std::string& unit) {
     if (variation.at("change") == to_string(PlanChange::known))
       rows.push_back({escaped(variation.at("input").get<std::string>()), number_html(variation.at("standard_error"), unit, 3)});
   return rows.empty() ? "" : table_html({"unknown", "standard error if it were known exactly"}, rows);
+}
+
+/// What each of several releases would tell of the first estimate by itself; empty for one.
+std::string releases_html(const Json& document, const std::string& unit) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Json& release : document.value("releases", Json::array()))
+    rows.push_back({fmt::format("{} alone, {}", rows.size() + 1, escaped(release.at("scenario").at("name").get<std::string>())),
+                    number_html(release.at("standard_error_alone"), unit, 3)});
+  return rows.empty() ? "" : table_html({"release", "standard error of the first input"}, rows);
 }
 
 std::string optimum_html(const Json& optimum, const std::string& unit) {
@@ -99,7 +108,8 @@ Report plan_page(const Json& document, const std::vector<std::string>& notes) {
   if (!is_determined) return page.finish();
   const std::string unit = report.estimates.at(0).unit;
   page.section("estimates", "Standard errors",
-               errors_html(document) + costs_html(document, unit) + exact_inputs_html(document.at("estimates").at(0)));
+               errors_html(document) + releases_html(document, unit) + costs_html(document, unit) +
+                   exact_inputs_html(document.at("estimates").at(0)));
   page.section(
       "changes", "What a change would do",
       page.chart("changes", plan_figure(report),

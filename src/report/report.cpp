@@ -42,6 +42,7 @@ Report (*page_maker(const Json& document))(const Json&, const std::vector<std::s
   const Json schema = document.value("$schema", Json());
   if (schema == "earthtop-comparison-1.json") return comparison_page;
   if (schema == "earthtop-measurement-1.json") return measurement_page;
+  if (schema == "earthtop-releases-1.json") return releases_page;
   if (schema == "earthtop-plan-1.json") return plan_page;
   return document.contains("scenarios") && document.contains("processor") ? bench_page : nullptr;
 }

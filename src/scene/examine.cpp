@@ -84,6 +84,15 @@ ScenarioReport examine(const scenario::Document& document, const std::vector<inp
   return report;
 }
 
+std::optional<Scene> varied_scene(const scenario::Document& document, const std::vector<input::TreeChange>& changes) {
+  scenario::Decoded decoded = document.decode(changes);
+  if (!decoded.is_whole) return std::nullopt;
+  Scene scene(std::move(decoded.scenario));
+  if (decoded.has_start) check_scene(decoded.section(), scene);
+  if (!decoded.findings.empty()) return std::nullopt;
+  return scene;
+}
+
 ScenarioReport examine_scenario(const ScenarioSource& source, const Overrides& overrides) {
   return examine(scenario::Document(source, overrides));
 }

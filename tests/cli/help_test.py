@@ -238,6 +238,11 @@ def earthtop(*arguments, into=None):
 def prepare_scenarios():
     earthtop("example", "toy-top", into="toy-top.json")
     earthtop("example", "lecture-gyro", into="gyro.json")
+    with open("toy-top.json", encoding="utf-8") as file:
+        text = file.read()
+    for name, spin in (("one-way", 200), ("other-way", -200)):
+        with open(f"{name}.json", "w", encoding="utf-8") as file:
+            file.write(text.replace('"spin_rad_s": 200', f'"spin_rad_s": {spin}'))
 
 
 def prepare_results():
@@ -248,6 +253,9 @@ def prepare_results():
         shutil.copytree("old", name)
     earthtop("plan", "gyro.json", "--measure", "azimuth_deg", "--sigma", "0.01", "--every", "0.5", "--write-data", "measured.csv",
              "--quiet")
+    for name in ("one", "other"):
+        earthtop("plan", f"{name}-way.json", "--measure", "azimuth_deg", "--sigma", "0.01", "--every", "0.5", "--write-data", f"{name}.csv",
+                 "--quiet")
     with open("latitudes.json", "w", encoding="utf-8") as file:
         file.write('{ "base": "toy-top.json", "axes": [ { "pointer": "/site/latitude_deg", "values": [-30, 0, 30, 60] } ] }\n')
     case = '"criteria": [ { "kind": "invariant", "quantity": "jacobi_integral", "tolerance": 1e-9, "why": "exact" } ], "site"'

@@ -61,6 +61,19 @@ TEST_F(FitSearchTest, FindsTheMinimumFromAFarStart) {
   for (const double value : chi_squared) EXPECT_NEAR(value, chi_squared.front(), 1e-4);  // where a fit stops: 1e-6 of it
 }
 
+/// The measured precession tells the spin's sign, and its size from any start.
+TEST_F(FitSearchTest, BeginsWithTheMeasuredPrecession) {
+  const Measurement measurement = filmed(toy(7953, 0.0171, 0.03807), 5);
+  for (const double spin : {-8000.0, 5000.0, 12000.0}) {
+    SCOPED_TRACE(spin);
+    const MeasurementReport report = fitted(toy(spin, 0.02, 0.038), measurement);
+    ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
+    EXPECT_TRUE(report.agrees());
+    EXPECT_LT(std::abs(*report.estimates[0].estimate - 7953 * kRpm), 4 * *report.estimates[0].standard_error);
+    EXPECT_EQ(report.search.attempts, 1);
+  }
+}
+
 TEST_F(FitSearchTest, ANearStartIsFittedAtOnce) {
   const MeasurementReport report = fitted(toy(7953, 0.0171, 0.03807), filmed(toy(7953, 0.0171, 0.03807), 5));
   EXPECT_EQ(report.fit, FitOutcome::converged);

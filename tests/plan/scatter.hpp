@@ -12,16 +12,18 @@ namespace earthtop::testing {
 
 struct ScatterCase {
   std::string name, scenario;
-  Overrides set;
+  std::vector<Overrides> releases;  ///< of which data are simulated
   MeasurementPlan plan;
+  Overrides start = {};  ///< where the fits start, beside that
 };
-/// A heavy top, one with friction, and a gyrocompass.
+/// A heavy top, one with friction, a gyrocompass; a top seen by a tilted camera, and by a late clock; one that is spun both ways.
 std::vector<ScatterCase> scatter_cases();
 
 struct Scatter {
   std::vector<std::string> names;
   std::vector<double> over_prediction;  ///< of each number, the standard deviation of its estimates over the planned error
   std::vector<double> mean_pull;        ///< of each number, the mean of estimate less true value, in planned errors
+  std::vector<double> fitted_error;     ///< of each number, the mean of the fits' standard errors over the planned one
 };
 /// @param sets  number of data sets, with seeds from 1 on
 Scatter scatter_of(const ScatterCase& what, std::uint64_t sets);

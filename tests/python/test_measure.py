@@ -111,6 +111,30 @@ def test_hints_name_what_would_mend_a_fit(top):
     assert len(mended.hints) == 0 and abs(mended.estimates["estimate"].item() - 0.1) < 0.005
 
 
+def test_several_releases_are_one_fit(run, scenarios, top, data, tmp_path):
+    other = top.changed(azimuth_deg=100)
+    more = et.simulate_measurement(other, {"azimuth_arcsec": 20, "tilt_deg": 0.005}, every_s=2, seed=4)
+    both = et.fit_releases([(top, data), (other, more)], "release/azimuth_deg", shared=VERTICAL)
+    assert both.agrees and list(both.estimates.index) == [VERTICAL, "/release/azimuth_deg of release 1", "/release/azimuth_deg of release 2"]
+    assert both.residuals["release"].tolist() == [1] * 62 + [2] * 62
+    assert both.correlation.shape == (3, 3) and "of release 2" in both.sentences[2] + both.quotation
+    alone = et.fit(top, data, [VERTICAL, "release/azimuth_deg"])
+    assert both.estimates.standard_error.iloc[0] < 0.8 * alone.estimates.standard_error.iloc[0]
+    plan = et.plan([top, other], {"azimuth_arcsec": 20, "tilt_deg": 0.005}, every_s=2, nuisance="release/azimuth_deg", shared=VERTICAL)
+    assert plan.estimates.standard_error.iloc[0] == pytest.approx(both.estimates.standard_error.iloc[0], rel=1e-3)
+    assert (plan.releases.standard_error_alone > plan.estimates.standard_error.iloc[0]).all()
+    with pytest.raises(et.ScenarioError, match="for several releases"):
+        et.fit_releases([(top, data)], shared=VERTICAL)
+    with pytest.raises(et.ScenarioError, match="optimise is for one release"):
+        et.plan([top, other], {"azimuth_deg": 1}, every_s=2, optimise={"tilt_deg": (5, 60)})
+
+
+def test_a_free_start_estimates_attitude_and_rates(data):
+    gyro = et.example("free-gyro").changed(duration_s=60)
+    fit = et.fit(gyro, data, free_start=True, priors=False)
+    assert "/release/angular_velocity_body_rad_s/2" in fit.estimates.index or fit.outcome == "not_determined"
+
+
 def test_what_is_not_determined_is_an_outcome(top, data):
     found = et.fit(top, data, ["release/spin_angle_deg"])
     assert found.outcome == "not_determined" and found.reason and not found.agrees

@@ -11,6 +11,7 @@
 #include "command_line.hpp"
 #include "compare_text.hpp"
 #include "earthtop/measure/measurement.hpp"
+#include "earthtop/measure/releases_file.hpp"
 #include "earthtop/results/output_files.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
@@ -28,13 +29,15 @@ namespace earthtop::tool {
 namespace {
 
 struct CompareArguments {
-  std::string reference, candidate;
+  std::string reference;
+  std::vector<std::string> others;
+  std::string candidate;  // the only one of the others, but for several releases
   std::string profile, tolerances, mapping, junit, svg, reason;
   std::vector<std::string> may_change;
-  std::vector<std::string> estimates, sets;  // for a measurement, as are the next four
+  std::vector<std::string> estimates, shared, sets;  // for a measurement, as are the next four
   std::string fitted;
   std::optional<double> correlation_time_s;
-  bool priors = false, force = false;
+  bool priors = false, free_start = false, force = false;
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
   bool json = false, quiet = false, all = false;
@@ -72,60 +75,138 @@ int update_verb(const CompareArguments& arguments) try {
   return report_interruption(arguments.json);
 }
 
-/// Whether a path leads to a scenario, with which measurements are compared, and not to a compact reference.
-bool is_scenario(const std::string& path) {
-  if (path == "-") return true;
+/// Whether a JSON file has one of these keys.
+bool has_a_key(const std::string& path, const std::vector<std::string_view>& wanted) {
   if (!path.ends_with(".json") || input::type_of(path) != input::PathType::file) return false;
   const std::vector<std::string> keys = json_keys(read_scenario_source(path).text);
   return std::any_of(keys.begin(), keys.end(),
-                     [](const std::string& key) { return key == "body" || key == "release" || key == "motion"; });
+                     [&](const std::string& key) { return std::ranges::find(wanted, key) != wanted.end(); });
 }
 
-MeasurementReport measure_watched(const ScenarioSource& source, const Measurement& measurement,
+/// Whether a path leads to a scenario, with which measurements are compared, and not to a compact reference.
+bool is_scenario(const std::string& path) { return path == "-" || has_a_key(path, {"body", "release", "motion"}); }
+
+MeasurementOptions measurement_options(const CompareArguments& arguments) {
+  MeasurementOptions options;
+  options.estimates = arguments.estimates;
+  if (arguments.free_start)
+    for (const std::string& name : free_start_estimates())
+      if (std::ranges::find(options.estimates, name) == options.estimates.end()) options.estimates.push_back(name);
+  options.shared = arguments.shared;
+  options.priors = arguments.priors;
+  options.correlation_time_s = arguments.correlation_time_s.value_or(0);
+  if (arguments.json || !arguments.svg.empty()) options.curve_points = MeasurementOptions::kCurvePoints;
+  return options;
+}
+
+/// A scenario and its changes as they are compared: with a free start the changes are in the text.
+std::pair<ScenarioSource, Overrides> given(const std::string& scenario, Overrides overrides, bool free_start) {
+  ScenarioSource source = read_scenario_source(scenario);
+  if (!free_start) return {std::move(source), std::move(overrides)};
+  return {with_free_start(source, overrides), {}};
+}
+
+MeasurementReport measure_watched(const ScenarioSource& source, const Overrides& overrides, const Measurement& measurement,
                                   const CompareArguments& arguments) {
   const OrderlyEnd orderly;
   Progress progress;
   const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
   const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
-  MeasurementOptions options{arguments.estimates, arguments.priors, arguments.correlation_time_s.value_or(0)};
-  if (arguments.json || !arguments.svg.empty()) options.curve_points = MeasurementOptions::kCurvePoints;
-  MeasurementReport report = compare_with_measurement(source, split_sets(arguments.sets), measurement, options, watch);
+  MeasurementReport report = compare_with_measurement(source, overrides, measurement, measurement_options(arguments), watch);
   if (!watch.asks_to_stop()) progress.reach(1);
   return report;
 }
 
 /// Checks before the work that the fitted scenario can be written. @throws ScenarioError
-void require_place_for_scenario(const ScenarioSource& source, const CompareArguments& arguments) {
+void require_place_for_scenario(const ScenarioSource& source, const Overrides& overrides, const CompareArguments& arguments) {
   if (arguments.fitted.empty()) return;
-  if (arguments.estimates.empty())
+  if (arguments.estimates.empty() && !arguments.free_start)
     throw ScenarioError("", "--write-scenario writes estimates into the scenario; name them with --estimate");
-  require_writable_scenario(source, split_sets(arguments.sets), arguments.fitted);
+  require_writable_scenario(source, overrides, arguments.fitted);
 }
 
-int measurement_verb(const CompareArguments& arguments) {
+/// Refuses options that belong to the comparison of results.
+void require_options_of_a_measurement(const CompareArguments& arguments) {
   const bool other_options = !arguments.profile.empty() || !arguments.tolerances.empty() || !arguments.mapping.empty() ||
                              !arguments.junit.empty() || !arguments.may_change.empty() || arguments.steps_ratio > 0 ||
                              arguments.seconds_ratio > 0 || arguments.may_lack_rows;
   if (other_options)
     throw ScenarioError(
         "",
-        "a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --priors, "
-        "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet");
+        "a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --shared, "
+        "--priors, --free-start, --correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet");
   if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
     throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
-  const ScenarioSource source = read_scenario_source(arguments.reference);
-  std::vector<std::string> inputs = files_of(arguments.reference, parse_scenario(source, split_sets(arguments.sets)));
+}
+
+int status_of(RunStatus status, bool agrees) {
+  if (status != RunStatus::completed) return kNumericalFailure;
+  return agrees ? kDone : kNegative;
+}
+
+/// Several releases, from the command line or from a list.
+int releases_verb(const CompareArguments& arguments, const ListedReleases& list) {
+  require_options_of_a_measurement(arguments);
+  if (!arguments.fitted.empty() || !arguments.svg.empty())
+    throw ScenarioError("",
+                        "--write-scenario and --svg are for one release; for several, keep what --json prints, and make a page "
+                        "of it with earthtop report");
+  MeasurementOptions options = measurement_options(arguments);
+  options.estimates.insert(options.estimates.end(), list.estimates.begin(), list.estimates.end());
+  options.shared.insert(options.shared.end(), list.shared.begin(), list.shared.end());
+  std::vector<MeasuredRelease> releases;
+  for (const ListedRelease& listed : list.releases) {
+    if (listed.measurement.empty())
+      throw ScenarioError("/releases",
+                          fmt::format("the release of {} has no measurement; add \"measurement\"", listed.scenario));
+    Overrides overrides = split_sets(arguments.sets);
+    for (auto& change : split_sets(listed.sets)) overrides.push_back(std::move(change));
+    auto [source, changes] = given(listed.scenario, std::move(overrides), arguments.free_start);
+    releases.push_back({std::move(source), std::move(changes), read_measurement(listed.measurement), listed.estimates});
+  }
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
+  const ReleasesReport report = compare_releases(releases, options, watch);
+  if (report.status() == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
+    return report_interruption(arguments.json);
+  progress.reach(1);
+  if (arguments.json)
+    print(releases_json(report));
+  else if (!arguments.quiet)
+    print(releases_text(report, output_screen()));
+  return status_of(report.status(), report.agrees());
+}
+
+/// Scenarios and measurements as the command line names them, in turns.
+ListedReleases listed_in_turns(const CompareArguments& arguments) {
+  std::vector<std::string> paths = {arguments.reference};
+  paths.insert(paths.end(), arguments.others.begin(), arguments.others.end());
+  if (paths.size() % 2 != 0)
+    throw ScenarioError("", fmt::format("{} files; several releases are named by a scenario and a CSV file each, in turns: "
+                                        "earthtop compare A.json a.csv B.json b.csv",
+                                        paths.size()));
+  ListedReleases list;
+  for (std::size_t i = 0; i < paths.size(); i += 2) list.releases.push_back({paths[i], paths[i + 1], {}, {}});
+  return list;
+}
+
+int measurement_verb(const CompareArguments& arguments) {
+  require_options_of_a_measurement(arguments);
+  const auto [source, overrides] = given(arguments.reference, split_sets(arguments.sets), arguments.free_start);
+  std::vector<std::string> inputs = files_of(arguments.reference, parse_scenario(source, overrides));
   inputs.push_back(arguments.candidate);
   OutputFiles files(
       {{OutputKind::scenario, arguments.fitted, "--write-scenario"}, {OutputKind::measurement_picture, arguments.svg, "--svg"}},
       inputs, arguments.force);
-  require_place_for_scenario(source, arguments);
+  require_place_for_scenario(source, overrides, arguments);
   const Measurement measurement = read_measurement(arguments.candidate);
-  const MeasurementReport report = measure_watched(source, measurement, arguments);
+  const MeasurementReport report = measure_watched(source, overrides, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
     return report_interruption(arguments.json);
   if (!arguments.fitted.empty() && report.fitted)
-    files.put(arguments.fitted, fitted_scenario(source, split_sets(arguments.sets), report, arguments.fitted));
+    files.put(arguments.fitted, fitted_scenario(source, overrides, report, arguments.fitted));
   if (!arguments.svg.empty()) files.put(arguments.svg, svg(measurement_figure(report)));
   files.commit();
   if (arguments.json)
@@ -136,8 +217,7 @@ int measurement_verb(const CompareArguments& arguments) {
     message(fmt::format("{} is not written: there is no fit", printable(arguments.fitted)));
   else if (!arguments.fitted.empty() && !arguments.quiet && !arguments.json)
     print(fmt::format("\nWritten     {}\n", printable(arguments.fitted)));
-  if (report.status != RunStatus::completed) return kNumericalFailure;
-  return report.agrees() ? kDone : kNegative;
+  return status_of(report.status, report.agrees());
 }
 
 CompareReport compare_watched(const CompareArguments& arguments) {
@@ -150,15 +230,27 @@ CompareReport compare_watched(const CompareArguments& arguments) {
   return report;
 }
 
-int compare_verb(const CompareArguments& arguments) {
+int compare_verb(CompareArguments& arguments) {
+  const bool is_list = arguments.others.empty() && !arguments.update && has_a_key(arguments.reference, {"releases"});
+  if (is_list) return releases_verb(arguments, read_releases(arguments.reference));
+  if (arguments.others.empty()) throw UsageError("NEW is required", "earthtop compare");
+  const bool measured = !arguments.update && is_scenario(arguments.reference);
+  if (measured && arguments.others.size() > 1) return releases_verb(arguments, listed_in_turns(arguments));
+  if (arguments.others.size() > 1)
+    throw UsageError(fmt::format("{} is one too many: only releases are more than two files", printable(arguments.others[1])),
+                     "earthtop compare");
+  arguments.candidate = arguments.others.front();
   if (arguments.update) return update_verb(arguments);
-  if (is_scenario(arguments.reference)) return measurement_verb(arguments);
+  if (measured) return measurement_verb(arguments);
+  if (!arguments.shared.empty())
+    throw ScenarioError("", "--shared belongs to several releases, each a scenario and a CSV file");
   if (!arguments.estimates.empty() || !arguments.sets.empty())
     throw ScenarioError("", "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file");
-  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors)
-    throw ScenarioError("",
-                        "--write-scenario, --correlation-time and --priors belong to a measurement, where REFERENCE is a "
-                        "scenario and NEW a CSV file");
+  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.free_start)
+    throw ScenarioError(
+        "",
+        "--write-scenario, --correlation-time, --priors and --free-start belong to a measurement, where REFERENCE is a "
+        "scenario and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   OutputFiles files(
       {{OutputKind::verdicts, arguments.junit, "--junit"}, {OutputKind::comparison_picture, arguments.svg, "--svg"}},
@@ -186,22 +278,33 @@ Verb describe_compare() {
   compare
       .add("REFERENCE", &a.reference,
            "results, a compact reference, a study's store, a CSV file, or a directory of several; or a scenario, for a "
-           "measurement")
+           "measurement; or a release list (earthtop schema --releases)")
       .required();
-  compare
-      .add("NEW", &a.candidate, "what is compared with it; for a scenario, a CSV file with measured values and standard errors")
-      .required();
+  compare.add("NEW", &a.others,
+              "what is compared with it; for a scenario, a CSV file with measured values and standard errors; further releases "
+              "follow, each a scenario and a CSV file");
   compare
       .add("--estimate", &a.estimates,
            "for a measurement: fit this number of the scenario, e.g. omega_sin_latitude_rad_s or /release/spin_rad_s; may be "
            "repeated")
-      .called("NAME");
+      .called("NAME")
+      .with_commas();
+  compare
+      .add("--shared", &a.shared,
+           "for several releases: fit this number, too, as one for all of them, e.g. gravity_m_s2; each release has its own "
+           "value "
+           "of the other estimates; may be repeated")
+      .called("NAME")
+      .with_commas();
   compare.add("--priors", &a.priors,
               "for a measurement: use what the scenario's uncertainty block says of the estimated numbers as prior knowledge");
   compare
       .add("--correlation-time", &a.correlation_time_s,
            "for a measurement: errors of a quantity are not independent, but correlated by exp(-dt/T); T in s")
       .called("T");
+  compare.add(
+      "--free-start", &a.free_start,
+      "for a measurement that begins after the release: the motion starts at the first row, with estimated attitude and rates");
   compare.add("--write-scenario", &a.fitted, "for a measurement: write the scenario with the estimates in it").called("FILE");
   compare.add("--force", &a.force, "also overwrite files that earthtop did not write, or that have been changed since");
   add_set_option(compare, a.sets);
@@ -245,10 +348,13 @@ Verb describe_compare() {
   compare.example("earthtop compare old/toy-top new/toy-top", "compares two results");
   compare.example("earthtop compare references results --junit verdicts.xml",
                   "compares two directories and writes the verdicts for a build server");
-  compare.example("earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s",
-                  "fits the vertical part of the Earth's rotation to a measurement");
-  compare.example("earthtop compare gyro.json measured.csv --estimate spin_rad_s --write-scenario fitted.json",
-                  "fits the spin and writes a scenario with it");
+  compare.example(
+      "earthtop compare gyro.json measured.csv --estimate omega_sin_latitude_rad_s,spin_rad_s --write-scenario fitted.json",
+      "fits the vertical part of the Earth's rotation and the spin to a measurement, and writes a scenario with them");
+  compare.example(
+      "earthtop compare one-way.json one.csv other-way.json other.csv --estimate spin_rad_s "
+      "--shared omega_sin_latitude_rad_s,gravity_m_s2",
+      "fits two releases at once: each has its own spin, both have the same gravity and the same Earth");
   compare.ends_with(kDone, "nothing differs; or measurement and scenario agree; or the new reference is written");
   compare.ends_with(kNegative, "something differs; or the measurement and the scenario do not agree, or there is no fit");
   compare.ends_with(kRefused,

@@ -14,7 +14,7 @@ std::string exact_inputs_text(const std::vector<ExactInput>& inputs, const std::
                               const Screen& screen) {
   if (inputs.empty()) return "";
   std::size_t width = 0;
-  for (const ExactInput& input : inputs) width = std::max(width, input.name.size());
+  for (const ExactInput& input : inputs) width = std::max(width, name_in_release(input.name, input.release).size());
   std::string text =
       '\n' + wrapped(fmt::format("Taken as exact: errors that would move {} by one sigma", estimate), screen.width, 2) + '\n';
   for (const ExactInput& input : inputs) {
@@ -24,7 +24,7 @@ std::string exact_inputs_text(const std::vector<ExactInput>& inputs, const std::
     if (input.stated)
       line += fmt::format("; it is stated to ± {:.2g}, {:.2g} sigma", *input.stated,
                           *input.stated / input.error_of_one_sigma(standard_error));
-    text += wrapped_entry("  " + input.name, line, screen.width, width + 4);
+    text += wrapped_entry("  " + name_in_release(input.name, input.release), line, screen.width, width + 4);
   }
   return text;
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "earthtop/error.hpp"
 #include "earthtop/measure/measurement.hpp"
@@ -35,10 +36,10 @@ std::string quantities_text(const MeasurementReport& report) {
   return text;
 }
 
-std::string agreement_text(const MeasurementReport& report, bool color) {
-  if (report.agrees()) return strong("yes", "32", color);
-  std::string reason = fmt::format("the p-value is below {:g}", MeasurementReport::kLeastPValue);
-  if (report.status != RunStatus::completed)
+std::string agreement_text(const FitReport& report, bool agrees, RunStatus status, bool color) {
+  if (agrees) return strong("yes", "32", color);
+  std::string reason = fmt::format("the p-value is below {:g}", FitReport::kLeastPValue);
+  if (status != RunStatus::completed)
     reason = "the prediction does not reach the last row";
   else if (report.fit != FitOutcome::not_asked && !report.fitted)
     reason = "there is no fit";
@@ -47,29 +48,34 @@ std::string agreement_text(const MeasurementReport& report, bool color) {
   return fmt::format("{}: {}", strong("no", "31", color), reason);
 }
 
-std::string estimates_text(const MeasurementReport& report, const Screen& screen) {
+/// An estimate's name; with its release where there are several and it is not that of all.
+std::string label(const ParameterEstimate& estimate) { return printable(name_in_release(estimate.name, estimate.release)); }
+
+/// @param least_correlation  smaller ones are not printed
+std::string estimates_text(const FitReport& report, double least_correlation, const Screen& screen) {
   std::string text = "\nEstimates\n";
   const auto add_detail = [&](std::string_view detail) { text += wrapped_entry("", detail, screen.width, 6); };
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const ParameterEstimate& e = report.estimates[j];
     const std::string value = strong(with_standard_error(*e.estimate, *e.standard_error), "1", screen.color);
-    text += fmt::format("  {}  {}{}{}\n", printable(e.name), value, e.unit.empty() ? "" : " ", e.unit);
+    text += fmt::format("  {}  {}{}{}\n", label(e), value, e.unit.empty() ? "" : " ", e.unit);
     add_detail(printable(estimate_sentence(e, report.scatters_more())));
     for (const Prior& prior : report.priors)
-      if (prior.input == e.name)
+      if (prior.input == e.name && prior.release == e.release)
         add_detail(fmt::format("known beforehand as {} {}; the estimate differs by {:+.2f} of these standard errors",
                                with_standard_error(prior.mean, prior.standard_error), prior.unit, prior.pull.value_or(0)));
     for (std::size_t k = 0; k < j; ++k)
-      add_detail(fmt::format("correlation with {}  {:+.4f}", printable(report.estimates[k].name), report.correlation[j][k]));
+      if (std::abs(report.correlation[j][k]) >= least_correlation)
+        add_detail(fmt::format("correlation with {}  {:+.4f}", label(report.estimates[k]), report.correlation[j][k]));
   }
   return text;
 }
 
 /// Tells what the estimates of the Earth's rate rest on; where there is none of these, what the first one does.
-std::string exact_text(const MeasurementReport& report, const Screen& screen) {
+std::string exact_text(const FitReport& report, const Screen& screen) {
   std::string text;
   const auto add = [&](const ParameterEstimate& e) {
-    text += exact_inputs_text(e.exact, e.name, *e.said_error(report.scatters_more()), screen);
+    text += exact_inputs_text(e.exact, label(e), *e.said_error(report.scatters_more()), screen);
   };
   for (const ParameterEstimate& estimate : report.estimates)
     if (estimate.finding) add(estimate);
@@ -110,6 +116,41 @@ std::string search_text(const FitSearch& search) {
   return text;
 }
 
+using Add = std::function<void(std::string_view label, std::string_view text)>;
+
+/// The lines on a fit and on chi-squared, up to the notes.
+void add_fit(const FitReport& report, bool agrees, RunStatus status, bool color, const Add& add) {
+  if (report.correlation_time_s > 0)
+    add("Errors", fmt::format("correlated over {:.6g} s, as stated; chi-squared counts only the part of each that is new",
+                              report.correlation_time_s));
+  add("As given", chi_squared_text(report.as_given));
+  if (report.fitted)
+    add("Fitted", fmt::format("{}; {} iteration{}, {} motions{}", chi_squared_text(*report.fitted), report.iterations,
+                              report.iterations == 1 ? "" : "s", report.predictions, search_text(report.search)));
+  else if (report.fit != FitOutcome::not_asked)
+    add("Fit", strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
+  add("Agreement", agreement_text(report, agrees, status, color));
+  for (const UnusedPrior& prior : report.unused_priors)
+    add("Prior", fmt::format("{} did not enter: {}", prior.name, printable(prior.reason)));
+  for (const FitHint& hint : report.hints) add("Hint", printable(hint_sentence(hint)));
+  for (const std::string& note : report.notes) add("Note", printable(note));
+}
+
+/// The paragraph to quote; empty where there is nothing to quote.
+std::string quotation_text(const std::string& quotation, const Screen& screen) {
+  return quotation.empty() ? "" : "\nTo quote\n" + wrapped("  " + printable(quotation), screen.width, 2) + '\n';
+}
+
+/// A release's own part of a comparison of several.
+std::string release_text(const MeasurementReport& release) {
+  std::string text = fmt::format("{} against {}: {} rows, {}", printable(release.file), printable(release.scenario_name),
+                                 release.rows, quantities_text(release));
+  if (release.status != RunStatus::completed)
+    return text + fmt::format("; the prediction ended at {:.6g} s: {}", release.reached_s, to_string(release.status));
+  const ChiSquared& last = release.fitted ? *release.fitted : release.as_given;
+  return text + fmt::format("; chi-squared {:.6g} of {} values", last.value, release.residuals.size());
+}
+
 }  // namespace
 
 std::string measurement_text(const MeasurementReport& report, const Screen& screen) {
@@ -120,22 +161,23 @@ std::string measurement_text(const MeasurementReport& report, const Screen& scre
   add("Measured", fmt::format("{} rows: {}", report.rows, quantities_text(report)));
   if (report.status != RunStatus::completed)
     add("Prediction", strong(fmt::format("ended at {:.6g} s: {}", report.reached_s, to_string(report.status)), "31", color));
-  if (report.correlation_time_s > 0)
-    add("Errors", fmt::format("correlated over {:.6g} s, as stated; chi-squared counts only the part of each that is new",
-                              report.correlation_time_s));
-  add("As given", chi_squared_text(report.as_given));
-  if (report.fitted)
-    add("Fitted", fmt::format("{}; {} iteration{}, {} motions{}", chi_squared_text(*report.fitted), report.iterations,
-                              report.iterations == 1 ? "" : "s", report.predictions, search_text(report.search)));
-  else if (report.fit != FitOutcome::not_asked)
-    add("Fit", strong(fmt::format("{}: {}", to_string(report.fit), printable(report.fit_reason)), "31", color));
-  add("Agreement", agreement_text(report, color));
-  for (const UnusedPrior& prior : report.unused_priors)
-    add("Prior", fmt::format("{} did not enter: {}", prior.name, printable(prior.reason)));
-  for (const FitHint& hint : report.hints) add("Hint", printable(hint_sentence(hint)));
-  for (const std::string& note : report.notes) add("Note", printable(note));
-  if (report.fitted) text += estimates_text(report, screen) + exact_text(report, screen);
+  add_fit(report, report.agrees(), report.status, color, add);
+  if (report.fitted) text += estimates_text(report, 0, screen) + exact_text(report, screen);
+  text += quotation_text(quotation(report), screen);
   return report.residuals.empty() ? text : text + residuals_text(report);
+}
+
+std::string releases_text(const ReleasesReport& report, const Screen& screen) {
+  std::string text = fmt::format("{} releases, one fit\n", report.releases.size());
+  const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, screen.width, 12); };
+  for (std::size_t r = 0; r < report.releases.size(); ++r)
+    add(fmt::format("Release {}", r + 1), release_text(report.releases[r]));
+  add_fit(report, report.agrees(), report.status(), screen.color, add);
+  for (std::size_t r = 0; r < report.releases.size(); ++r)
+    for (const std::string& note : report.releases[r].notes) add("Note", fmt::format("release {}: {}", r + 1, printable(note)));
+  constexpr double kLeastCorrelation = 0.1;  // there are many of them; the document has all
+  if (report.fitted) text += estimates_text(report, kLeastCorrelation, screen) + exact_text(report, screen);
+  return text + quotation_text(quotation(report), screen);
 }
 
 }  // namespace earthtop::tool

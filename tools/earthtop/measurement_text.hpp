@@ -6,7 +6,8 @@
 
 namespace earthtop {
 struct MeasurementReport;
-}
+struct ReleasesReport;
+}  // namespace earthtop
 
 namespace earthtop::tool {
 
@@ -14,5 +15,7 @@ struct Screen;
 
 /// Whether measurement and scenario agree, the estimates, and the largest residuals.
 std::string measurement_text(const MeasurementReport& report, const Screen& screen);
+/// The same of several releases, without residuals.
+std::string releases_text(const ReleasesReport& report, const Screen& screen);
 
 }  // namespace earthtop::tool

@@ -3,14 +3,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <optional>
 
 #include "command_line.hpp"
+#include "earthtop/measure/releases_file.hpp"
 #include "earthtop/results/output_files.hpp"
 #include "earthtop/run.hpp"
+#include "input/file.hpp"
 #include "interrupt.hpp"
+#include "json_object.hpp"
 #include "output.hpp"
 #include "places.hpp"
 #include "plan_text.hpp"
@@ -23,7 +27,8 @@ namespace {
 
 struct PlanArguments {
   std::string scenario;
-  std::vector<std::string> quantities, sigmas, estimates, nuisances, design, sets;
+  std::vector<std::string> others;  // scenarios of further releases
+  std::vector<std::string> quantities, sigmas, estimates, nuisances, shared, design, sets;
   double every_s = 0, correlation_time_s = 0;
   double until_s = 0;  // 0: not given
   std::string svg, data;
@@ -52,10 +57,68 @@ MeasurementPlan plan_of(const PlanArguments& arguments) {
   plan.correlation_time_s = arguments.correlation_time_s;
   plan.estimates = arguments.estimates;
   plan.nuisances = arguments.nuisances;
+  plan.shared = arguments.shared;
   return plan;
 }
 
+int status_of(PlanOutcome outcome) {
+  switch (outcome) {
+    case PlanOutcome::determined: return kDone;
+    case PlanOutcome::not_determined: return kNegative;
+    default: return kNumericalFailure;
+  }
+}
+
+/// The releases that are listed in a file, or named one after the other; empty for one scenario.
+ListedReleases releases_of(const PlanArguments& arguments) {
+  ListedReleases list;
+  if (arguments.others.empty()) {
+    if (!arguments.scenario.ends_with(".json") || input::type_of(arguments.scenario) != input::PathType::file) return list;
+    const std::vector<std::string> keys = json_keys(read_scenario_source(arguments.scenario).text);
+    return std::ranges::find(keys, "releases") == keys.end() ? list : read_releases(arguments.scenario);
+  }
+  list.releases.push_back({arguments.scenario, {}, {}, {}});
+  for (const std::string& other : arguments.others) list.releases.push_back({other, {}, {}, {}});
+  return list;
+}
+
+int releases_verb(const PlanArguments& arguments, const ListedReleases& list) {
+  if (!arguments.design.empty() || !arguments.data.empty())
+    throw ScenarioError("", "--optimise and --write-data are for one release; plan each by itself for them");
+  MeasurementPlan plan = plan_of(arguments);
+  plan.estimates.insert(plan.estimates.end(), list.estimates.begin(), list.estimates.end());
+  plan.shared.insert(plan.shared.end(), list.shared.begin(), list.shared.end());
+  std::vector<PlannedRelease> releases;
+  std::vector<std::string> inputs;
+  for (const ListedRelease& listed : list.releases) {
+    if (!listed.estimates.empty())
+      throw ScenarioError("/releases", "\"estimate\" of single releases is not used by plan; name numbers for all releases");
+    PlannedRelease& release =
+        releases.emplace_back(PlannedRelease{read_scenario_source(listed.scenario), split_sets(arguments.sets)});
+    for (auto& change : split_sets(listed.sets)) release.overrides.push_back(std::move(change));
+    for (std::string& file : files_of(listed.scenario, parse_scenario(release.source, release.overrides)))
+      inputs.push_back(std::move(file));
+  }
+  OutputFiles files({{OutputKind::plan_picture, arguments.svg, "--svg"}}, inputs, arguments.force);
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
+  const PlanReport report = plan_releases(releases, plan, watch);
+  if (report.outcome == PlanOutcome::interrupted || report.status == RunStatus::interrupted)
+    return report_interruption(arguments.json);
+  progress.reach(1);
+  if (!arguments.svg.empty()) files.put(arguments.svg, svg(plan_figure(report)));
+  files.commit();
+  if (arguments.json)
+    print(plan_json(report));
+  else if (!arguments.quiet)
+    print(plan_text(report, output_screen()));
+  return status_of(report.outcome);
+}
+
 int plan_verb(const PlanArguments& arguments) {
+  if (const ListedReleases list = releases_of(arguments); !list.releases.empty()) return releases_verb(arguments, list);
   const MeasurementPlan plan = plan_of(arguments);
   std::vector<DesignInput> design;
   for (const std::string& text : arguments.design) design.push_back(design_input(text));
@@ -86,11 +149,7 @@ int plan_verb(const PlanArguments& arguments) {
     print(plan_text(report, output_screen()));
   if (!arguments.data.empty() && !has_data)
     message(fmt::format("{} is not written: {}", printable(arguments.data), report.reason));
-  switch (report.outcome) {
-    case PlanOutcome::determined: return kDone;
-    case PlanOutcome::not_determined: return kNegative;
-    default: return kNumericalFailure;
-  }
+  return status_of(report.outcome);
 }
 
 }  // namespace
@@ -100,7 +159,11 @@ Verb describe_plan() {
   PlanArguments& a = *arguments;
   Verb plan("plan", "predict the standard errors of a measurement before anything is built",
             [arguments] { return plan_verb(*arguments); });
-  plan.add("SCENARIO", &a.scenario, "scenario file (JSON) of the planned top; - is standard input").json_file().required();
+  plan.add("SCENARIO", &a.scenario,
+           "scenario file (JSON) of the planned top; - is standard input; or a release list (earthtop schema --releases)")
+      .json_file()
+      .required();
+  plan.add("MORE", &a.others, "scenarios of further releases, which are measured alike and evaluated by one fit").json_file();
   plan.add("--measure", &a.quantities,
            "what is measured: azimuth, tilt, axis, drift_azimuth, drift_tilt, outer_angle or inner_angle, with _rad, _deg or "
            "_arcsec; or "
@@ -119,10 +182,18 @@ Verb describe_plan() {
   plan.add("--estimate", &a.estimates,
            "a number of the scenario to be estimated; default: omega_sin_latitude_rad_s, for a gyrocompass "
            "omega_cos_latitude_rad_s; may be repeated")
-      .called("NAME");
+      .called("NAME")
+      .with_commas();
   plan.add("--nuisance", &a.nuisances,
            "another unknown number, which would be fitted as well, e.g. spin_rad_s; may be repeated")
-      .called("NAME");
+      .called("NAME")
+      .with_commas();
+  plan.add("--shared", &a.shared,
+           "for several releases: this number is one for all of them, e.g. gravity_m_s2; it is estimated unless --nuisance "
+           "names "
+           "it, too; may be repeated")
+      .called("NAME")
+      .with_commas();
   plan.add("--optimise", &a.design,
            "choose this number within these limits so that the standard error of the first estimate is smallest; may be "
            "repeated")
@@ -147,6 +218,10 @@ Verb describe_plan() {
       "finds the best tilt and spin");
   plan.example("earthtop plan gyro.json --measure azimuth_deg --sigma 0.01 --every 0.1 --write-data simulated.csv --seed 7",
                "writes simulated data, with which to try earthtop compare");
+  plan.example(
+      "earthtop plan one-way.json other-way.json --measure azimuth_deg --sigma 0.01 --every 0.1 --nuisance spin_rad_s "
+      "--nuisance gravity_m_s2 --shared omega_sin_latitude_rad_s,gravity_m_s2",
+      "predicts what a top tells that is spun both ways");
   plan.ends_with(kDone, "the measurement would determine the numbers");
   plan.ends_with(kNegative, "the measurement would not determine the numbers");
   plan.ends_with(kRefused, "the command line or the scenario was refused; nothing was written");

@@ -34,9 +34,12 @@ std::string measured_text(const PlanReport& report) {
   return text;
 }
 
+/// An estimate's name; with its release where there are several and it is not that of all.
+std::string label(const PlannedEstimate& estimate) { return printable(name_in_release(estimate.name, estimate.release)); }
+
 std::string estimates_text(const PlanReport& report, const Screen& screen) {
   std::size_t width = 0;
-  for (const PlannedEstimate& estimate : report.estimates) width = std::max(width, estimate.name.size());
+  for (const PlannedEstimate& estimate : report.estimates) width = std::max(width, label(estimate).size());
   std::string text = "\nStandard errors (Cramer-Rao bound)\n";
   for (std::size_t j = 0; j < report.estimates.size(); ++j) {
     const PlannedEstimate& e = report.estimates[j];
@@ -44,16 +47,15 @@ std::string estimates_text(const PlanReport& report, const Screen& screen) {
     if (!e.is_nuisance) line = painted(line, "1", screen.color);
     if (!e.is_nuisance && e.significance()) line += fmt::format(": {:.3g} sigma", *e.significance());
     if (e.prior) line += fmt::format("; known beforehand to ± {:.2g}", *e.prior);
-    text += wrapped_entry("  " + printable(e.name), line, screen.width, width + 4);
+    text += wrapped_entry("  " + label(e), line, screen.width, width + 4);
     if (report.estimates.size() == 1) continue;
     std::size_t most = j == 0 ? 1 : 0;
     for (std::size_t k = 0; k < report.estimates.size(); ++k)
       if (k != j && std::abs(report.correlation[j][k]) > std::abs(report.correlation[j][most])) most = k;
-    text +=
-        wrapped_entry("",
-                      fmt::format("± {:.3g} if the others were known exactly; largest correlation {:+.4f}, with {}",
-                                  *e.standard_error_alone, report.correlation[j][most], printable(report.estimates[most].name)),
-                      screen.width, width + 4);
+    text += wrapped_entry("",
+                          fmt::format("± {:.3g} if the others were known exactly; largest correlation {:+.4f}, with {}",
+                                      *e.standard_error_alone, report.correlation[j][most], label(report.estimates[most])),
+                          screen.width, width + 4);
   }
   return text;
 }
@@ -65,8 +67,7 @@ std::string error_text(const std::optional<double>& error, double now) {
 std::string variations_text(const PlanReport& report) {
   const PlannedEstimate& target = report.estimates[0];
   const double now = *target.standard_error;
-  const std::string of =
-      with_unit("\nStandard error of " + printable(target.name), target.unit.empty() ? "" : "(" + target.unit + ")");
+  const std::string of = with_unit("\nStandard error of " + label(target), target.unit.empty() ? "" : "(" + target.unit + ")");
   std::size_t width = 26;
   for (const PlanVariation& v : report.variations)
     if (v.change == PlanChange::known) width = std::max(width, v.input.size() + std::string_view(" known exactly").size());
@@ -92,6 +93,23 @@ std::string variations_text(const PlanReport& report) {
   if (!known.empty())
     text += fmt::format("{}: what each unknown costs\n  {:<{}}  {}\n{}", of, "now", width, error_text(now, now), known);
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
+}
+
+/// What each of several releases would tell by itself; empty for one.
+std::string releases_text(const PlanReport& report) {
+  if (report.releases.empty()) return "";
+  const PlannedEstimate& target = report.estimates[0];
+  const double now = *target.standard_error;
+  std::vector<std::string> names = {"all together"};
+  for (const ReleasePlan& release : report.releases)
+    names.push_back(fmt::format("{} alone, {}", names.size(), printable(release.scenario_name)));
+  std::size_t width = 26;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string lines = fmt::format("  {:<{}}  {}\n", names[0], width, error_text(now, now));
+  for (std::size_t r = 0; r < report.releases.size(); ++r)
+    lines += fmt::format("  {:<{}}  {}\n", names[r + 1], width, error_text(report.releases[r].standard_error, now));
+  return with_unit("\nStandard error of " + label(target), target.unit.empty() ? "" : "(" + target.unit + ")") +
+         ": what each release tells\n" + lines;
 }
 
 /// Compares a standard error with the present one, than which it is smaller by a factor that may be less than 1.
@@ -125,7 +143,10 @@ std::string optimum_text(const PlanReport& report, const Screen& screen) {
 }  // namespace
 
 std::string plan_text(const PlanReport& report, const Screen& screen) {
-  std::string text = wrapped(fmt::format("A measurement of {}", printable(report.scenario_name)), screen.width, 2) + '\n';
+  std::string names = printable(report.scenario_name);
+  for (std::size_t r = 1; r < report.releases.size(); ++r)
+    names += fmt::format("{}{}", r + 1 == report.releases.size() ? " and " : ", ", printable(report.releases[r].scenario_name));
+  std::string text = wrapped(fmt::format("A measurement of {}", names), screen.width, 2) + '\n';
   const auto add = [&](std::string_view label, std::string_view what) { text += wrapped_entry(label, what, screen.width, 12); };
   add("Measured", measured_text(report));
   if (report.outcome == PlanOutcome::determined)
@@ -143,8 +164,8 @@ std::string plan_text(const PlanReport& report, const Screen& screen) {
   for (const std::string& note : report.notes) add("Note", printable(note));
   if (report.outcome != PlanOutcome::determined) return text;
   const PlannedEstimate& target = report.estimates[0];
-  text += estimates_text(report, screen) + exact_inputs_text(target.exact, target.name, *target.standard_error, screen) +
-          variations_text(report);
+  text += estimates_text(report, screen) + releases_text(report) +
+          exact_inputs_text(target.exact, label(target), *target.standard_error, screen) + variations_text(report);
   if (report.optimum) text += optimum_text(report, screen);
   return text + '\n' + wrapped(printable(report.advice), screen.width) + '\n';
 }

@@ -5,6 +5,7 @@
 
 #include "command_line.hpp"
 #include "earthtop/compare/compare.hpp"
+#include "earthtop/measure/releases_file.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/study/study.hpp"
 #include "output.hpp"
@@ -20,13 +21,15 @@ struct DescribedFile {
   std::string (*schema)();
   std::string (*markdown)();
 };
-constexpr std::array<DescribedFile, 4> kDescribedFiles = {{
+constexpr std::array<DescribedFile, 5> kDescribedFiles = {{
     {nullptr, "", scenario_schema, scenario_reference_markdown},
     {"--study", "describe a study file instead", study_schema, study_reference_markdown},
     {"--mapping", "describe a mapping file instead, with which compare reads a foreign CSV file", mapping_schema,
      mapping_reference_markdown},
     {"--tolerances", "describe a tolerance file instead, which compare takes", tolerances_schema,
      tolerances_reference_markdown},
+    {"--releases", "describe a release list instead, which compare and plan take", releases_schema,
+     releases_reference_markdown},
 }};
 
 struct SchemaArguments {

@@ -122,6 +122,7 @@ struct ParameterEstimate {
   std::optional<double> standard_error_scaled;
   std::optional<RateFinding> finding = {};  ///< of an estimate of the Earth's rate, with the scaled error if that is said
   std::vector<ExactInput> exact = {};       ///< inputs that were taken as exact and shift it, those that shift it most first
+  std::size_t release = 0;                  ///< of several, the one whose number it is, counted from 1; 0: that of all
 
   /// The standard error that is said with the estimate. @param by_scatter  whether the scaled one is
   const std::optional<double>& said_error(bool by_scatter) const {
@@ -138,6 +139,7 @@ struct Prior {
   double mean = 0;    ///< the scenario's value
   double standard_error = 0;
   std::optional<double> pull;  ///< the estimate minus the mean, in standard errors of the prior; none without a fit
+  std::size_t release = 0;     ///< as of an estimate
 };
 struct UnusedPrior {
   std::string name;  ///< as of a prior
@@ -151,6 +153,7 @@ struct FitHint {
     std::string unit;
     double value = 0;  ///< that it would have; the scenario's numbers are the estimated ones otherwise
     double standard_error = 0;
+    std::size_t release = 0;  ///< as of an estimate
   };
   std::vector<Value> values;
   double chi_squared = 0;  ///< that would be left
@@ -188,20 +191,16 @@ struct MeasurementOptions {
   /// becomes as many as resolve the fastest swings of the axis.
   std::size_t curve_points = 0;
   static constexpr std::size_t kCurvePoints = 1001;
+  /// Of several releases: names of numbers that have one value in all of them. They are estimated, whether `estimates` has them or
+  /// not; each release has its own value of the others.
+  std::vector<std::string> shared = {};
 };
 
-struct MeasurementReport {
+/// A fit, and whether measured and predicted values agree.
+struct FitReport {
   /// Below this p-value the scatter counts as larger than the stated errors explain.
   static constexpr double kLeastPValue = 1e-3;
 
-  std::string scenario_name;
-  std::string scenario_sha256;  ///< hash of the scenario as given, overrides included
-  std::string file;
-  std::uint64_t rows = 0;
-  std::vector<std::pair<MeasuredQuantity, std::uint64_t>> quantities;  ///< each measured quantity with its number of values
-  RunStatus status = RunStatus::completed;                             ///< of the prediction with the scenario's own numbers
-  double reached_s = 0;                                                ///< time of the last predicted row
-  std::optional<Verdict> verdict;                                      ///< of a run to the last row; none if it ended early
   ChiSquared as_given;  ///< with the scenario's own numbers, none of them fitted; over the rows that were reached
   FitOutcome fit = FitOutcome::not_asked;
   std::string fit_reason;  ///< why the fit did not converge; empty where it did, or was not asked for
@@ -215,20 +214,57 @@ struct MeasurementReport {
   std::vector<Prior> priors;                     ///< those that entered the fit
   std::vector<UnusedPrior> unused_priors;        ///< those that were asked for and did not
   double correlation_time_s = 0;                 ///< as stated; 0: errors are independent of each other
-  std::vector<MeasurementResidual> residuals;    ///< with the fitted numbers if the fit converged, else with the scenario's
-  std::vector<CurvePoint> curve;                 ///< with the same numbers; empty if it was not asked for
-  bool curve_is_mean = false;  ///< whether its points are means over some of the axis's swings, which are too many to be drawn
-  std::optional<std::size_t> largest;  ///< index of the residual whose normalised size is largest
   std::vector<std::string> notes;
 
   /// Whether the residuals after the fit scatter by more than the stated errors explain.
   bool scatters_more() const { return fitted && fitted->p_value && *fitted->p_value < kLeastPValue; }
   /// Whether an estimate contradicts the known rate of the Earth.
   bool contradicts_known_rate() const;
+
+ protected:
+  /// Whether a fit that was asked for converged, the residuals do not scatter more than stated, and no estimate contradicts the
+  /// known rate of the Earth.
+  bool fit_agrees() const;
+};
+
+struct MeasurementReport : FitReport {
+  std::string scenario_name;
+  std::string scenario_sha256;  ///< hash of the scenario as given, overrides included
+  std::string file;
+  std::uint64_t rows = 0;
+  std::vector<std::pair<MeasuredQuantity, std::uint64_t>> quantities;  ///< each measured quantity with its number of values
+  RunStatus status = RunStatus::completed;                             ///< of the prediction with the scenario's own numbers
+  double reached_s = 0;                                                ///< time of the last predicted row
+  std::optional<Verdict> verdict;                                      ///< of a run to the last row; none if it ended early
+  std::vector<MeasurementResidual> residuals;  ///< with the fitted numbers if the fit converged, else with the scenario's
+  std::vector<CurvePoint> curve;               ///< with the same numbers; empty if it was not asked for
+  bool curve_is_mean = false;  ///< whether its points are means over some of the axis's swings, which are too many to be drawn
+  std::optional<std::size_t> largest;  ///< index of the residual whose normalised size is largest
+
   /// Whether measurement and scenario agree: the prediction reached the last row, a fit that was asked for converged, the
   /// p-value of the residuals is at least kLeastPValue, and no estimate contradicts the known rate of the Earth. Without degrees
   /// of freedom there is no p-value to contradict.
   bool agrees() const;
+};
+
+/// A release of a top: the scenario of its motion, and what was measured of it.
+struct MeasuredRelease {
+  ScenarioSource source;
+  std::vector<std::pair<std::string, std::string>> overrides;  ///< `--set` pairs
+  Measurement measurement;
+  std::vector<std::string> estimates = {};  ///< numbers that are estimated for this release besides those of all
+};
+
+/// One answer from several releases.
+struct ReleasesReport : FitReport {
+  /// Each release with its own residuals and its own part of chi-squared, which has no degrees of freedom of its own: those are the
+  /// number of its values. Its estimates are those that its scenario has, shared ones among them, without correlations or findings.
+  std::vector<MeasurementReport> releases;
+
+  /// Whether all predictions reached their last rows, and the fit agrees, as for one release.
+  bool agrees() const;
+  /// That of the first release whose prediction did not reach its last row.
+  RunStatus status() const;
 };
 
 /// Compares a measurement with a scenario.
@@ -246,6 +282,20 @@ MeasurementReport compare_with_measurement(const ScenarioSource& source,
                                            const Measurement& measurement, const MeasurementOptions& options = {},
                                            const Watch& watch = {});
 
+/// Compares several releases with their scenarios by one fit, in which some numbers are the same for all. One release is compared as
+/// by `compare_with_measurement`.
+/// @throws ScenarioError as that, and for a shared number that the scenarios do not start with the same value; at most 64 releases
+ReleasesReport compare_releases(const std::vector<MeasuredRelease>& releases, const MeasurementOptions& options = {},
+                                const Watch& watch = {});
+
+/// The scenario of a measurement that begins after the release: its release is the state of the first row, whose rates are given along
+/// body axes, and start at the scenario's.
+/// @param overrides  `--set` pairs, which are put into the text
+/// @throws ScenarioError for a scenario whose release is no attitude by tilt and azimuth, on a table or in gimbals
+ScenarioSource with_free_start(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides);
+/// The numbers that are estimated with such a start: the attitude of the axis, and the rates.
+std::vector<std::string> free_start_estimates();
+
 /// Says what the data show about an input, e.g. "the tilt at release is 12.10 ± 0.05 deg; the scenario's 12 is 2.0 sigma below
 /// it". Of an estimate with a finding it says that, and which errors of other inputs would do it where it contradicts. Empty
 /// without an estimate.
@@ -254,6 +304,11 @@ std::string estimate_sentence(const ParameterEstimate& estimate, bool by_scatter
 
 /// Says what would mend a bad fit: "/instrument/time_offset_s = 0.0036 ± 0.0001 s would leave chi-squared 1776, to first order; estimate it"
 std::string hint_sentence(const FitHint& hint);
+
+/// A paragraph for a paper: what was fitted to which data with which result, what the errors are, and on which inputs it rests most.
+/// Empty where nothing was fitted, or the fit does not agree.
+std::string quotation(const MeasurementReport& report);
+std::string quotation(const ReleasesReport& report);
 
 /// "5.16e-5 ± 0.30e-5": a value and its standard error, both down to the error's second digit.
 std::string with_standard_error(double value, double error);
@@ -267,6 +322,8 @@ Figure residuals_histogram(const MeasurementReport& report);
 
 /// The report as one JSON document, "earthtop-measurement-1.json"; what is not finite is null.
 std::string measurement_json(const MeasurementReport& report);
+/// The report as one JSON document, "earthtop-releases-1.json": the fit as in "earthtop-measurement-1.json", and each release.
+std::string releases_json(const ReleasesReport& report);
 /// Puts the report's estimates into a scenario's text, after the overrides: compared with the same measurement it gives the
 /// residuals of the fit, to the last bit. What else the text holds stays as it is, comments and layout included,
 /// but for `headline` and `criteria`, which are about the scenario's own numbers.

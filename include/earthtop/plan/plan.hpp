@@ -38,6 +38,14 @@ struct MeasurementPlan {
   double correlation_time_s = 0;  ///< the errors of a quantity are correlated by exp(-dt / correlation_time_s); 0: independent
   std::vector<std::string> estimates;  ///< names as for `compare_with_measurement`; empty: the Earth's rate, as below
   std::vector<std::string> nuisances;  ///< names of further numbers that are not known and have to be fitted as well
+  /// Of several releases: names of numbers that have one value in all of them; those that are no nuisances are estimated.
+  std::vector<std::string> shared = {};
+};
+
+/// A release that is planned: its scenario and `--set` pairs.
+struct PlannedRelease {
+  ScenarioSource source;
+  std::vector<std::pair<std::string, std::string>> overrides;
 };
 
 /// One of the fitted numbers, in `unit`.
@@ -51,6 +59,7 @@ struct PlannedEstimate {
   std::optional<double> standard_error_alone;  ///< the same if all other numbers were known exactly
   std::optional<RateFinding> finding;          ///< of a rate of the Earth: what a measurement of the scenario's value would say
   std::vector<ExactInput> exact;  ///< of a number that is wanted: inputs that are taken as exact and shift it, most first
+  std::size_t release = 0;        ///< of several, the one whose number it is, counted from 1; 0: that of all
   /// |value| / standard error
   std::optional<double> significance() const;
 };
@@ -68,7 +77,7 @@ std::string_view to_string(PlanChange change);
 struct PlanVariation {
   PlanChange change = PlanChange::duration;
   double factor = 1;
-  std::string input;       ///< of `known` and `prior`: the unknown
+  std::string input;       ///< of `known` and `prior`: the unknown, as name_in_release calls it
   double input_error = 0;  ///< of `prior`: its standard error
   std::uint64_t rows = 0;
   std::optional<double> standard_error;  ///< of the first estimate; none where it is not determined
@@ -105,14 +114,22 @@ enum class PlanOutcome {
 };
 std::string_view to_string(PlanOutcome outcome);
 
-struct PlanReport {
+/// One release of several.
+struct ReleasePlan {
   std::string scenario_name;
   std::string scenario_sha256;
-  MeasurementPlan plan;  ///< with its defaults filled in
-  std::uint64_t rows = 0;
-  std::uint64_t values = 0;  ///< number of measured numbers; an axis counts as two
+  std::optional<double>
+      standard_error;  ///< of the first estimate from this release alone; none where it does not determine all
+};
+
+struct PlanReport {
+  std::string scenario_name;  ///< of the first release
+  std::string scenario_sha256;
+  MeasurementPlan plan;      ///< with its defaults filled in
+  std::uint64_t rows = 0;    ///< of each release
+  std::uint64_t values = 0;  ///< number of measured numbers of all releases; an axis counts as two
   RunStatus status = RunStatus::completed;
-  std::optional<Verdict> verdict;  ///< of a run to the last row
+  std::optional<Verdict> verdict;  ///< of a run to the last row; of several releases, the first that is not reliable
   PlanOutcome outcome = PlanOutcome::determined;
   std::string reason;  ///< why the numbers are not determined, or not predicted
   /// Where the information matrix is singular, the change of the numbers, each in its unit, that no row would notice. It is a small
@@ -126,6 +143,7 @@ struct PlanReport {
   std::int64_t predictions = 0;                  ///< number of motions computed
   std::vector<std::string> notes;
   std::optional<PlanOptimum> optimum;
+  std::vector<ReleasePlan> releases;  ///< of several; empty for one
 };
 
 /// Computes what a planned measurement would show. Without estimates the vertical component of the Earth's rate is estimated,
@@ -139,6 +157,11 @@ struct PlanReport {
 /// While this runs, GSL's error handler, of which the process has only one, is off.
 PlanReport plan_measurement(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides,
                             const MeasurementPlan& plan, const std::vector<DesignInput>& design = {}, const Watch& watch = {});
+
+/// The same for several releases that are measured alike and evaluated by one fit. Inputs of the body, the site and the Earth whose
+/// standard errors the scenarios state are shared where they are the same.
+/// @throws ScenarioError as plan_measurement; at most 16 releases
+PlanReport plan_releases(const std::vector<PlannedRelease>& releases, const MeasurementPlan& plan, const Watch& watch = {});
 
 /// The motion of the scenario as the plan would measure it, with normally distributed errors, as a CSV file that
 /// `read_measurement` reads. The same seed gives the same bytes on every machine. Errors are correlated in time if the plan

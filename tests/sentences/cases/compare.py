@@ -447,8 +447,7 @@ OF_TOLERANCES = [
              {"/quantities/drift_axis_rad/absolute": -1e-9},
              {"/quantities/drift_axis_rad/absolute": 0}, 2),
     by_table("/quantities: must be an object of quantity names and their tolerances", {"/quantities": 1}, KNOWN, 2),
-    by_table(["/quantities/drift_rad: is not a known quantity; known are attitude_rad, rates_rad_s, axis_rad,",
-              "and the dotted paths of summary.json"], {"/quantities": {"drift_rad": {"absolute": 1}}}, KNOWN, 2),
+    by_table(["/quantities/drift_rad: is not a known quantity; known are the dotted paths of summary.json, attitude_rad, rates_rad_s,"], {"/quantities": {"drift_rad": {"absolute": 1}}}, KNOWN, 2),
     by_table("/quantities/drift_axis_rad: must be an object with absolute, relative or bounds",
              {"/quantities/drift_axis_rad": 1e-6},
              KNOWN, 2),
@@ -594,7 +593,7 @@ OF_UPDATES = [
 MEASURED = {"m.csv": "t_s,azimuth_rad,azimuth_se_rad\n1,0.1,0.01\n", "there.json": "{}"}
 WITH = "compare s.json m.csv "
 OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, "
-                 "--priors, "
+                 "--shared, --priors, --free-start, "
                  "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet")
 
 
@@ -621,7 +620,7 @@ OF_OPTIONS = [
         "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file", both(), 2,
         command=f"{PAIR} {option}")],
     *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors") for case in told(
-        "--write-scenario, --correlation-time and --priors belong to a measurement, where REFERENCE is a scenario and NEW a CSV file",
+        "--write-scenario, --correlation-time, --priors and --free-start belong to a measurement, where REFERENCE is a scenario and NEW a CSV file",
         both(), 2, command=f"{PAIR} {option}")],
     *told("pictures/: error: is not the name of a file; give the name of a file", both(), 2, command=PAIR + " --svg pictures/"),
     *told("plain: error: is not a directory; give the name of a file in one", {**both(), "plain": "a file"}, 2,

@@ -18,7 +18,7 @@ from ._arrays import Arrays
 from ._compare import Comparison, compare
 from ._documents import Document
 from ._explain import Explanation, explain
-from ._measure import Fit, fit, simulate_measurement
+from ._measure import Fit, ReleasesFit, fit, fit_releases, simulate_measurement
 from ._plan import Plan, plan
 from ._report import report
 from ._result import Drift, Result, load_result
@@ -39,6 +39,7 @@ __all__ = [
     "Finding",
     "Fit",
     "Plan",
+    "ReleasesFit",
     "Result",
     "Scenario",
     "ScenarioError",
@@ -50,6 +51,7 @@ __all__ = [
     "examples",
     "explain",
     "fit",
+    "fit_releases",
     "load",
     "load_result",
     "load_study",

@@ -124,11 +124,15 @@ _Quantities = Sequence[Tuple[str, float]]
 
 def fit(
     scenario: _Given, data: Tuple[str, Optional[str]], estimates: Sequence[str], priors: bool, correlation_time_s: float,
-    on_progress: _OnProgress,
+    free_start: bool, on_progress: _OnProgress,
 ) -> Tuple[str, str, str, Optional[str]]: ...
+def fit_releases(
+    releases: Sequence[Tuple[_Given, Tuple[str, Optional[str]]]], estimates: Sequence[str], shared: Sequence[str], priors: bool,
+    correlation_time_s: float, on_progress: _OnProgress,
+) -> str: ...
 def plan(
-    scenario: _Given, quantities: _Quantities, every_s: float, until_s: Optional[float], correlation_time_s: float,
-    estimates: Sequence[str], nuisances: Sequence[str], design: Sequence[str], on_progress: _OnProgress,
+    scenarios: Sequence[_Given], quantities: _Quantities, every_s: float, until_s: Optional[float], correlation_time_s: float,
+    estimates: Sequence[str], nuisances: Sequence[str], shared: Sequence[str], design: Sequence[str], on_progress: _OnProgress,
 ) -> Tuple[str, str]: ...
 def simulated_measurement(
     scenario: _Given, quantities: _Quantities, every_s: float, until_s: Optional[float], correlation_time_s: float, seed: int,

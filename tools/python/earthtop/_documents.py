@@ -67,15 +67,21 @@ class Document(Pickled):
         return html_of(self._headline(), self._lines(), self.svg)
 
 
+def label(one: Mapping[str, Any]) -> str:
+    """The name of an input in a document; with its release where there are several and it is not that of all."""
+    return f"{one['name']} of release {one['release']}" if "release" in one else one["name"]
+
+
 def exact_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
     """The inputs that each estimate of a document takes as exact."""
-    rows = [{"estimate": one["name"], **exact} for one in document["estimates"] for exact in one.get("exact", [])]
+    rows = [{"estimate": label(one), **exact, "name": label(exact)}
+            for one in document["estimates"] for exact in one.get("exact", [])]
     return table(rows, ["estimate", "name", "unit"], ["value", "stated", "shift", "misfit", "error_of_one_sigma"])
 
 
 def findings_of(document: Mapping[str, Any]) -> List[Dict[str, Any]]:
     """The estimates of a document, each with the outcome of its finding in the place of the finding."""
-    return [{**one, "finding": (one.get("finding") or {}).get("outcome")} for one in document["estimates"]]
+    return [{**one, "name": label(one), "finding": (one.get("finding") or {}).get("outcome")} for one in document["estimates"]]
 
 
 def table(rows: Sequence[Mapping[str, Any]], words: Sequence[str], numbers: Sequence[str], *, index: str = "",
@@ -109,7 +115,7 @@ def correlation_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
     import pandas
 
     matrix = document["correlation"]
-    names = [one["name"] for one in document["estimates"]] if matrix else []
+    names = [label(one) for one in document["estimates"]] if matrix else []
     return pandas.DataFrame(matrix, index=names, columns=names, dtype=float)
 
 
@@ -146,6 +152,7 @@ _ARGUMENTS = {
     "--correlation-time": "correlation_time_s",
     "--every": "every_s",
     "--force": "force=True",
+    "--free-start": "free_start=True",
     "--keep-going": "keep_going=True",
     "--priors": "priors=True",
     "--set": "--set",  # the place that findings name for changed values, as of the program

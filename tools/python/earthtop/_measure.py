@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 import numpy as np
 
 from . import _core
-from ._documents import Document, Given, correlation_of, errors_named, exact_of, findings_of, names_of, number, parts_of, table
+from ._documents import Document, Given, correlation_of, errors_named, exact_of, findings_of, label, names_of, number, parts_of, table
 from ._errors import refuse
 from ._progress import Progress, Reporter
 from ._scenario import Scenario, ScenarioLike, as_scenario
@@ -25,14 +25,8 @@ if TYPE_CHECKING:
 Names = Union[str, Sequence[str]]
 
 
-class Fit(Document):
-    """What a measurement says of a scenario."""
-
-    def __init__(self, texts: Tuple[str, str, str, Optional[str]], scenario: Given) -> None:
-        super().__init__(texts[0], texts[1])
-        self.histogram_svg = texts[2]  #: how often each size of a residual occurs, as SVG
-        self._fitted = texts[3]
-        self._file = scenario[0]
+class _Fitted(Document):
+    """What a fit says, of one release or of several."""
 
     @property
     def agrees(self) -> bool:
@@ -49,16 +43,6 @@ class Fit(Document):
     def reason(self) -> str:
         """Why there is no fit; empty if there is one or none was asked for."""
         return self.document["fit"]["reason"]
-
-    @property
-    def status(self) -> str:
-        """How the prediction with the scenario's own numbers ended: ``"completed"``, or what went wrong."""
-        return self.document["prediction"]["status"]
-
-    @property
-    def verdict(self) -> Optional[str]:
-        """What a run up to the last row is worth, as of a result."""
-        return self.document["prediction"]["verdict"]
 
     @property
     def _chi_squared(self) -> Dict[str, Any]:
@@ -104,34 +88,58 @@ class Fit(Document):
         return correlation_of(self.document)
 
     @property
-    def residuals(self) -> "pandas.DataFrame":
-        """One row for each measured number: time (s), quantity, line of the data, measured and predicted angle, residual
-        (measured less predicted) and standard error (rad; for the rate of a rotor rad/s), and the residual in standard errors."""
-        numbers = ("measured", "predicted", "residual", "standard_error")
-        rows = [{**one, **{f"{name}_rad": one[f"{name}_rad_s"] for name in numbers if f"{name}_rad_s" in one}}
-                for one in self.document["residuals"]]
-        frame = table(rows, ["quantity", "line"],
-                      ["t_s", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad", "normalised"],
-                      order=["t_s", "quantity", "line", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad",
-                             "normalised"])
-        if any("whitened" in one for one in self.document["residuals"]):
-            frame["whitened"] = [one.get("whitened", np.nan) for one in self.document["residuals"]]
-        return frame
-
-    @property
     def hints(self) -> "pandas.DataFrame":
         """Of a fit whose residuals scatter by more than the stated errors: inputs that would mend it, one row for each, with its unit,
         the value that it would have, the standard error, and the chi-squared that would be left, to first order. Inputs that belong
         together have the same number ``hint``, 0 for the best."""
-        rows = [{**one, "hint": at, "chi_squared": hint["chi_squared"]}
+        rows = [{**one, "name": label(one), "hint": at, "chi_squared": hint["chi_squared"]}
                 for at, hint in enumerate(self.document["hints"]) for one in hint["inputs"]]
         return table(rows, ["name", "unit"], ["hint", "value", "standard_error", "chi_squared"],
                      order=["hint", "name", "unit", "value", "standard_error", "chi_squared"])
 
     @property
+    def quotation(self) -> str:
+        """A paragraph for a paper: data, estimates with their errors, and what they rest on. Empty where the fit does not agree."""
+        return self.document["quotation"] or ""
+
+    @property
     def sentences(self) -> List[str]:
         """What the data say of each estimated number, in words."""
         return [one["sentence"] for one in self.document["estimates"] if one.get("sentence")]
+
+    def _chance(self) -> str:
+        chance = "" if self.p_value is None else f", chance {self.p_value:.3g}"
+        return f"chi-squared {self.chi_squared:.6g} of {self.degrees_of_freedom} degrees of freedom{chance}"
+
+    def _fit_lines(self) -> Sequence[str]:
+        failed = [f"no fit: {self.outcome}: {self.reason}"] if self.outcome not in ("converged", "not_asked") else []
+        return [*failed, *self.sentences, *self.document["notes"]]
+
+
+class Fit(_Fitted):
+    """What a measurement says of a scenario."""
+
+    def __init__(self, texts: Tuple[str, str, str, Optional[str]], scenario: Given) -> None:
+        super().__init__(texts[0], texts[1])
+        self.histogram_svg = texts[2]  #: how often each size of a residual occurs, as SVG
+        self._fitted = texts[3]
+        self._file = scenario[0]
+
+    @property
+    def status(self) -> str:
+        """How the prediction with the scenario's own numbers ended: ``"completed"``, or what went wrong."""
+        return self.document["prediction"]["status"]
+
+    @property
+    def verdict(self) -> Optional[str]:
+        """What a run up to the last row is worth, as of a result."""
+        return self.document["prediction"]["verdict"]
+
+    @property
+    def residuals(self) -> "pandas.DataFrame":
+        """One row for each measured number: time (s), quantity, line of the data, measured and predicted angle, residual
+        (measured less predicted) and standard error (rad; for the rate of a rotor rad/s), and the residual in standard errors."""
+        return _residuals_of(self.document)
 
     def fitted_scenario(self) -> Scenario:
         """The scenario with the estimates put in; compared with the same data it gives the residuals of the fit, to the last
@@ -168,18 +176,52 @@ class Fit(Document):
 
     def _headline(self) -> str:
         found = "agrees with" if self.agrees else "does not agree with"
-        chance = "" if self.p_value is None else f", chance {self.p_value:.3g}"
-        return (f"{self.document['file']} {found} {self.document['scenario']['name']}: chi-squared {self.chi_squared:.6g} of "
-                f"{self.degrees_of_freedom} degrees of freedom{chance}")
+        return f"{self.document['file']} {found} {self.document['scenario']['name']}: {self._chance()}"
 
     def _lines(self) -> Sequence[str]:
-        failed = [f"no fit: {self.outcome}: {self.reason}"] if self.outcome not in ("converged", "not_asked") else []
         ended = [f"the prediction ended with {self.status}"] if self.status != "completed" else []
-        return [*ended, *failed, *self.sentences, *self.document["notes"]]
+        return [*ended, *self._fit_lines()]
+
+
+class ReleasesFit(_Fitted):
+    """What several releases say of their scenarios by one fit. An estimate that is one release's own has a name as
+    ``"spin_rad_s of release 2"``."""
+
+    @property
+    def residuals(self) -> "pandas.DataFrame":
+        """The residuals of all releases, as those of a fit, with the number of the ``release``, counted from 1."""
+        import pandas
+
+        frames = [_residuals_of(one) for one in self.document["releases"]]
+        return pandas.concat(frames, keys=range(1, len(frames) + 1), names=["release", None]).reset_index(level="release")
+
+    def _headline(self) -> str:
+        found = "agree" if self.agrees else "do not agree"
+        return f"{len(self.document['releases'])} releases {found} with their scenarios: {self._chance()}"
+
+    def _lines(self) -> Sequence[str]:
+        numbered = list(enumerate(self.document["releases"], 1))
+        ended = [f"the prediction of release {n} ended with {one['prediction']['status']}"
+                 for n, one in numbered if one["prediction"]["status"] != "completed"]
+        return [*ended, *self._fit_lines(), *(f"release {n}: {note}" for n, one in numbered for note in one["notes"])]
+
+
+def _residuals_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
+    """The table of the residuals of one release."""
+    numbers = ("measured", "predicted", "residual", "standard_error")
+    rows = [{**one, **{f"{name}_rad": one[f"{name}_rad_s"] for name in numbers if f"{name}_rad_s" in one}}
+            for one in document["residuals"]]
+    frame = table(rows, ["quantity", "line"],
+                  ["t_s", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad", "normalised"],
+                  order=["t_s", "quantity", "line", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad",
+                         "normalised"])
+    if any("whitened" in one for one in document["residuals"]):
+        frame["whitened"] = [one.get("whitened", np.nan) for one in document["residuals"]]
+    return frame
 
 
 def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: bool = False, correlation_time_s: float = 0,
-        changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Fit:
+        free_start: bool = False, changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Fit:
     """Compares a measured motion with a scenario, and fits numbers of the scenario to it by weighted least squares.
 
     Parameters
@@ -200,6 +242,8 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
         what the scenario's ``uncertainty`` says of the estimated numbers enters the fit
     correlation_time_s : float
         errors of a quantity are correlated by exp(-dt / T) in time (s); 0: independent
+    free_start : bool
+        the data begin after the release: the motion starts at the first row, with estimated attitude and rates
     changes : mapping, optional
         other values of the scenario, by key
     progress : bool or callable, optional
@@ -217,12 +261,51 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
         for a scenario, a name or data that are refused; findings about data have the line of the CSV text they make: row n of
         a DataFrame is line n + 2
     """
-    time_s = number(correlation_time_s, "correlation_time_s")
-    if not time_s >= 0:
-        raise refuse("correlation_time_s must not be below 0 (s)")
+    time_s = _correlation_time_s(correlation_time_s)
     given = parts_of(as_scenario(scenario).changed(changes))
     with errors_named(), Reporter(progress) as reporter:
-        return Fit(_core.fit(given, _text_of(data), names_of(estimate), priors, time_s, reporter), given)
+        return Fit(_core.fit(given, _text_of(data), names_of(estimate), priors, time_s, bool(free_start), reporter), given)
+
+
+def fit_releases(releases: "Sequence[Tuple[ScenarioLike, Data]]", estimate: Names = (), *, shared: Names = (),
+                 priors: bool = False, correlation_time_s: float = 0, progress: Progress = None) -> ReleasesFit:
+    """Compares several releases with their scenarios, and fits numbers to all of them at once.
+
+    Parameters
+    ----------
+    releases : sequence of (scenario, data)
+        each as for ``earthtop.fit``
+    estimate : str or sequence of str
+        numbers of which each release has its own value
+    shared : str or sequence of str
+        numbers that are fitted, too, and have one value in all releases; all scenarios start them with the same value
+    priors : bool
+        what the scenarios' ``uncertainty`` says of the estimated numbers enters the fit; of a shared number it is one datum
+    correlation_time_s : float
+        errors of a quantity are correlated by exp(-dt / T) in time (s); 0: independent
+    progress : bool or callable, optional
+        as of ``earthtop.run``
+
+    Returns
+    -------
+    ReleasesFit
+
+    Raises
+    ------
+    ScenarioError
+        for a scenario, a name or data that are refused
+    """
+    time_s = _correlation_time_s(correlation_time_s)
+    given = [(parts_of(as_scenario(scenario)), _text_of(data)) for scenario, data in releases]
+    with errors_named(), Reporter(progress) as reporter:
+        return ReleasesFit(_core.fit_releases(given, names_of(estimate), names_of(shared), priors, time_s, reporter))
+
+
+def _correlation_time_s(given: float) -> float:
+    time_s = number(given, "correlation_time_s")
+    if not time_s >= 0:
+        raise refuse("correlation_time_s must not be below 0 (s)")
+    return time_s
 
 
 def simulate_measurement(scenario: ScenarioLike, measure: Mapping[str, float], *, every_s: float,

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._documents import Document, correlation_of, errors_named, exact_of, findings_of, names_of, number, parts_of, table
+from ._documents import Document, correlation_of, errors_named, exact_of, findings_of, label, names_of, number, parts_of, table
 from ._errors import refuse
 from ._measure import Names, measured, times
 from ._progress import Progress, Reporter
@@ -69,6 +69,12 @@ class Plan(Document):
                      order=["change", "factor", "input", "input_standard_error", "rows", "standard_error"])
 
     @property
+    def releases(self) -> "pandas.DataFrame":
+        """Of several releases: the standard error of the first estimate that each would give by itself; empty for one."""
+        rows = [{"scenario": one["scenario"]["name"], **one} for one in self.document.get("releases", [])]
+        return table(rows, ["scenario"], ["standard_error_alone"])
+
+    @property
     def advice(self) -> str:
         """What to change first."""
         return self.document["advice"]
@@ -89,21 +95,23 @@ class Plan(Document):
         lines = [self.reason] if self.reason else []
         for one in self.document["estimates"]:
             if one["standard_error"] is not None:
-                line = f"{one['name']}: {one['value']:.7g} \u00b1 {one['standard_error']:.3g} {one['unit']}".rstrip()
+                line = f"{label(one)}: {one['value']:.7g} \u00b1 {one['standard_error']:.3g} {one['unit']}".rstrip()
                 lines.append(line + ("; fitted along" if one["nuisance"] else f": {one['significance']:.3g} sigma"))
         lines += [f"best {pointer}: {value:.6g}" for pointer, value in self.best.items()]
         return [*lines, *([self.advice] if self.advice else []), *self.document["notes"]]
 
 
-def plan(scenario: ScenarioLike, measure: Mapping[str, float], *, every_s: float, until_s: Optional[float] = None,
-         estimate: Names = (), nuisance: Names = (), optimise: Optional[Mapping[str, Tuple[float, float]]] = None,
-         correlation_time_s: float = 0, changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Plan:
+def plan(scenario: Union[ScenarioLike, Sequence[ScenarioLike]], measure: Mapping[str, float], *, every_s: float,
+         until_s: Optional[float] = None, estimate: Names = (), nuisance: Names = (), shared: Names = (),
+         optimise: Optional[Mapping[str, Tuple[float, float]]] = None, correlation_time_s: float = 0,
+         changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Plan:
     """Tells how well a measurement would determine numbers of a scenario, before anything is built.
 
     Parameters
     ----------
     scenario : Scenario, dict, JSON text or path
-        the top; its ``uncertainty`` says what is known beforehand
+        the top; its ``uncertainty`` says what is known beforehand. Or a list of these: several releases that are measured alike
+        and evaluated by one fit
     measure : mapping
         standard error of each quantity, by its name with its unit: ``{"azimuth_deg": 0.01}``; also ``tilt``, ``axis``,
         ``drift_azimuth``, ``drift_tilt``, with ``_rad``, ``_deg`` or ``_arcsec``
@@ -116,6 +124,8 @@ def plan(scenario: ScenarioLike, measure: Mapping[str, float], *, every_s: float
         gyrocompass the northward one
     nuisance : str or sequence of str
         numbers that are not known either and are fitted along
+    shared : str or sequence of str
+        of several releases: numbers with one value in all of them; those that are not ``nuisance`` are estimated
     optimise : mapping, optional
         numbers that may be chosen, by key, within limits: ``{"release/tilt_deg": (5, 60)}``; at most 4. They are chosen so that
         the first estimate's standard error is least.
@@ -136,10 +146,13 @@ def plan(scenario: ScenarioLike, measure: Mapping[str, float], *, every_s: float
     ScenarioError
         for a scenario, a name or a plan that is refused
     """
-    given = parts_of(as_scenario(scenario).changed(changes))
+    several = scenario if isinstance(scenario, (list, tuple)) else [scenario]
+    given = [parts_of(as_scenario(one).changed(changes)) for one in several]
+    if len(given) != 1 and optimise:
+        raise refuse("optimise is for one release; plan each by itself for it")
     with errors_named(), Reporter(progress) as reporter:
         document, svg = _core.plan(given, measured(measure), *times(every_s, until_s, correlation_time_s), names_of(estimate),
-                                   names_of(nuisance), [_limits(*one) for one in (optimise or {}).items()], reporter)
+                                   names_of(nuisance), names_of(shared), [_limits(*one) for one in (optimise or {}).items()], reporter)
     return Plan(document, svg)
 
 
