@@ -113,6 +113,15 @@ std::string Fixture::measurement() const {
   return measurement_json(compare_with_measurement(scenario(), {}, parse_measurement("m.csv", kMeasured), options));
 }
 
+std::string Fixture::releases() const {
+  MeasurementOptions options;
+  options.estimates = {"spin_rad_s"};
+  options.shared = {"tilt_deg"};
+  options.curve_points = 5;
+  const MeasuredRelease release{scenario(), {}, parse_measurement("m.csv", kMeasured)};
+  return releases_json(compare_releases({release, release}, options));
+}
+
 std::string Fixture::plan() const {
   MeasurementPlan plan;
   plan.quantities = {planned_quantity("azimuth_deg", 0.1)};

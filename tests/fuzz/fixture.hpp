@@ -44,6 +44,7 @@ class Fixture {
   std::string comparison() const;  ///< documents
   std::string bench() const;
   std::string measurement() const;
+  std::string releases() const;
   std::string plan() const;
 
  private:

@@ -185,7 +185,7 @@ void enter_document(std::string_view input) {
 
 std::vector<std::string> comparison_document_seeds() { return {Fixture::get().comparison()}; }
 std::vector<std::string> bench_document_seeds() { return {Fixture::get().bench()}; }
-std::vector<std::string> measurement_document_seeds() { return {Fixture::get().measurement()}; }
+std::vector<std::string> measurement_document_seeds() { return {Fixture::get().measurement(), Fixture::get().releases()}; }
 std::vector<std::string> plan_document_seeds() { return {Fixture::get().plan()}; }
 
 /// The store of a study. What is found intact is shown, exported, compared and merged, and the copy holds the same points.
