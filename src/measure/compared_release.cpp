@@ -46,7 +46,7 @@ std::vector<std::string> names_of(const MeasuredRelease& given, const Measuremen
 ComparedRelease::ComparedRelease(const MeasuredRelease& given, const MeasurementOptions& options)
     : ComparedRelease(given, scene_as_given(given), options) {}
 
-ComparedRelease::ComparedRelease(const MeasuredRelease& given, Scene as_given, const MeasurementOptions& options)
+ComparedRelease::ComparedRelease(const MeasuredRelease& given, const Scene& as_given, const MeasurementOptions& options)
     : given_(&given),
       name_(as_given.scenario().name),
       sha256_(as_given.sha256()),

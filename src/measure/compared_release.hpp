@@ -30,7 +30,7 @@ class ComparedRelease {
   MeasurementReport begun_report() const;
 
  private:
-  ComparedRelease(const MeasuredRelease& given, Scene as_given, const MeasurementOptions& options);
+  ComparedRelease(const MeasuredRelease& given, const Scene& as_given, const MeasurementOptions& options);
 
   const MeasuredRelease* given_;
   std::string name_, sha256_;  // of the scenario as given

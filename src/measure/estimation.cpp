@@ -131,6 +131,7 @@ bool is_false_minimum(const std::vector<MeasurementReport>& releases, double chi
 
 std::string why_not_determined(const JointInputs& inputs, const std::vector<std::size_t>& undetermined) {
   std::vector<std::string> names;
+  names.reserve(undetermined.size());
   for (const std::size_t j : undetermined) names.push_back(name_in_release(inputs.list()[j].name, inputs.list()[j].release));
   return names.size() == 1 ? fmt::format("these data do not determine {}", names.front())
                            : fmt::format("these data do not tell apart {}", fmt::join(names, ", "));

@@ -73,12 +73,14 @@ namespace {
 
 std::vector<const EstimatedInputs*> inputs_of_all(const std::vector<ExactInputs>& releases) {
   std::vector<const EstimatedInputs*> all;
+  all.reserve(releases.size());
   for (const ExactInputs& release : releases) all.push_back(&release.all());
   return all;
 }
 
 std::vector<std::size_t> fitted_of_all(const std::vector<ExactInputs>& releases) {
   std::vector<std::size_t> fitted;
+  fitted.reserve(releases.size());
   for (const ExactInputs& release : releases) fitted.push_back(release.fitted());
   return fitted;
 }
@@ -117,6 +119,7 @@ std::vector<ExactInput> JointExactInputs::shifting(const Eigen::MatrixXd& J, std
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<ExactInput> inputs;
+  inputs.reserve(found.size());
   for (auto& [size, input] : found) inputs.push_back(std::move(input));
   return inputs;
 }

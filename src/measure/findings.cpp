@@ -97,6 +97,7 @@ double expected_derivatives(std::size_t inputs) { return 4 * static_cast<double>
 void add_findings(ReleasesReport& report, const std::vector<ComparedRelease>& releases, const std::vector<std::string>& shared,
                   const Eigen::MatrixXd& by_fitted, const Watch& watch) {
   std::vector<ExactInputs> exact_of;
+  exact_of.reserve(releases.size());
   for (const ComparedRelease& release : releases)
     exact_of.emplace_back(release.scene(), release.names(),
                           [&](const std::vector<std::string>& names) { return release.inputs_of(names, ExactInputs::kMost); });

@@ -276,6 +276,7 @@ PlanReport plan_all(const std::vector<PlannedRelease>& planned, const Measuremen
   const double of_design = design.empty() ? 0 : expected_designs(design.size()) * (1 + 4.0 * kMostNumbers);
   Parts parts(watch, static_cast<double>(planned.size()) * 2 * kVerdict + work_of_numbers(planned.size()) + of_design);
   std::vector<Release> releases;
+  releases.reserve(planned.size());
   for (const PlannedRelease& release : planned) releases.push_back(prepared(release, report.plan, parts));
 
   const std::vector<measure::ExactInputs> exact_of = exact_inputs_of(planned, releases);
@@ -297,6 +298,7 @@ PlanReport plan_all(const std::vector<PlannedRelease>& planned, const Measuremen
   if (!of_releases) return report;
   const Derivatives derivatives = joined(*of_releases, exact.all());
   std::vector<double> scales;
+  scales.reserve(exact.fitted());
   for (std::size_t j = 0; j < exact.fitted(); ++j) scales.push_back(exact.all().list()[j].scale);
   const ValueChoice choice{grid.density, report.rows, 1, report.plan.correlation_time_s, report.plan.quantities.size()};
   for (const PlannedValue& value : derivatives.values)

@@ -223,7 +223,7 @@ Report releases_page(const Json& document, const std::vector<std::string>& notes
   page.section("agreement", "Agreement", agreement_html(document, std::move(facts), std::move(doubts)));
   for (std::size_t r = 0; r < releases.size(); ++r) {
     MeasurementReport report = measure::measurement_of(releases.at(r));
-    if (const Json time = document.at("correlation_time_s"); time.is_number()) report.correlation_time_s = time.get<double>();
+    if (const Json& time = document.at("correlation_time_s"); time.is_number()) report.correlation_time_s = time.get<double>();
     add_charts(page, report, releases.at(r).at("residuals_of") == "fitted", r + 1);
   }
   return page.finish();
