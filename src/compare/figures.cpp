@@ -72,7 +72,7 @@ class FigureErrors {
   }
 
  private:
-  /// What both results state as the bound on a largest value, in whose name it is; 0 for another figure, and where none is stated.
+  /// Returns the sum of the bounds that both results state on a largest value; 0 for another figure, and where none is stated.
   double of_largest(std::string path) const {
     const std::size_t at = path.find("_max_");
     if (at == path.npos) return 0;

@@ -21,6 +21,12 @@ namespace earthtop::measure {
 
 namespace {
 
+std::size_t number_of_values(const std::vector<MeasurementReport>& releases) {
+  std::size_t values = 0;
+  for (const MeasurementReport& release : releases) values += release.residuals.size();
+  return values;
+}
+
 double sum_of_squares(const std::vector<MeasurementResidual>& residuals) {
   double sum = 0;
   for (const MeasurementResidual& residual : residuals) sum += residual.independent() * residual.independent();
@@ -49,12 +55,8 @@ ChiSquared chi_squared_of(const std::vector<MeasurementResidual>& residuals, con
 ChiSquared chi_squared_of(const std::vector<MeasurementReport>& releases, const std::vector<Prior>& priors,
                           std::size_t fitted) {
   double sum = 0;
-  std::size_t values = 0;
-  for (const MeasurementReport& release : releases) {
-    sum += sum_of_squares(release.residuals);
-    values += release.residuals.size();
-  }
-  return chi_squared_from(sum, values, priors, fitted);
+  for (const MeasurementReport& release : releases) sum += sum_of_squares(release.residuals);
+  return chi_squared_from(sum, number_of_values(releases), priors, fitted);
 }
 
 void whiten(std::vector<MeasurementResidual>& residuals, const Whitening& whitening) {
@@ -117,16 +119,12 @@ std::string at_the_end_of_a_range(const std::vector<ComparedRelease>& releases, 
 /// Whether the motions part: a residual of an angle is above a quarter turn, and no error of measurement.
 bool is_false_minimum(const std::vector<MeasurementReport>& releases, double chi_squared) {
   constexpr double kErrors = 10;  // standard errors
-  std::size_t values = 0;
-  bool part = false;
-  for (const MeasurementReport& release : releases) {
-    values += release.residuals.size();
-    part = part || std::ranges::any_of(release.residuals, [](const MeasurementResidual& residual) {
-             return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2 &&
-                    std::abs(residual.normalised()) > kErrors;
-           });
-  }
-  return part && chi_squared > FitSearch::kDoubted * static_cast<double>(values);
+  const auto parts = [](const MeasurementResidual& residual) {
+    return period_of(residual) > 0 && std::abs(residual.residual) > std::numbers::pi / 2 &&
+           std::abs(residual.normalised()) > kErrors;
+  };
+  return chi_squared > FitSearch::kDoubted * static_cast<double>(number_of_values(releases)) &&
+         std::ranges::any_of(releases, [&](const MeasurementReport& one) { return std::ranges::any_of(one.residuals, parts); });
 }
 
 std::string why_not_determined(const JointInputs& inputs, const std::vector<std::size_t>& undetermined) {
@@ -139,8 +137,7 @@ std::string why_not_determined(const JointInputs& inputs, const std::vector<std:
 
 /// Requires as many data as numbers. @throws ScenarioError
 void require_enough(const ReleasesReport& report, const JointInputs& inputs, std::size_t priors) {
-  std::size_t values = 0;
-  for (const MeasurementReport& release : report.releases) values += release.residuals.size();
+  const std::size_t values = number_of_values(report.releases);
   if (values + priors >= inputs.list().size()) return;
   throw ScenarioError("--estimate", fmt::format("{} numbers cannot be estimated from {} measured ones{}", inputs.list().size(),
                                                 values, priors == 0 ? "" : fmt::format(" and {} priors", priors)));

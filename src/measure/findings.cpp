@@ -75,7 +75,7 @@ std::vector<FitHint> found_hints(const ReleasesReport& report, const std::vector
   return hints_of(report, J, exact, of_instrument, derivatives.by_others(of_instrument, pointers));
 }
 
-/// The first release that has an input, whose scene says how well it is known besides.
+/// The scene that says how well an input is known besides: that of its release, for a shared one the first.
 const Scene& scene_of(const JointInput& input, const std::vector<ComparedRelease>& releases) {
   return releases[input.release > 0 ? input.release - 1 : 0].scene();
 }

@@ -49,8 +49,8 @@ class Search {
     return errors;
   }
 
-  /// Keeps the better of two fits. @returns whether the search has ended: with a good fit, or again in the lowest minimum, for few
-  /// rows, which have many of them, a third time
+  /// Keeps the better of two fits. @returns whether the search has ended: with a good fit, or in the lowest minimum again: over
+  /// spans the second time, with all rows at once, which have many minima, the third time
   bool take(Fit fit, std::size_t spans) {
     const bool is_minimum = fit.outcome == FitOutcome::converged;
     if (is_minimum && best_.search.minima > 0 && is_same(fit.chi_squared, best_.fit.chi_squared))

@@ -2,6 +2,7 @@
 // The start of a motion whose measurement begins after the release.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "earthtop/measure/measurement.hpp"
@@ -11,9 +12,11 @@
 
 namespace earthtop {
 
-std::vector<std::string> free_start_estimates() {
-  return {"tilt_deg", "/release/azimuth_deg", "/release/angular_velocity_body_rad_s/0",
-          "/release/angular_velocity_body_rad_s/1", "/release/angular_velocity_body_rad_s/2"};
+std::vector<std::string> with_free_start_estimates(std::vector<std::string> names) {
+  for (const char* name : {"tilt_deg", "/release/azimuth_deg", "/release/angular_velocity_body_rad_s/0",
+                           "/release/angular_velocity_body_rad_s/1", "/release/angular_velocity_body_rad_s/2"})
+    if (std::ranges::find(names, name) == names.end()) names.emplace_back(name);
+  return names;
 }
 
 ScenarioSource with_free_start(const ScenarioSource& source, const Overrides& overrides) {

@@ -38,6 +38,14 @@ Influences::Influences(const gsl_matrix* J, const gsl_vector* f)
   next_step_ = gsl_blas_dnrm2(projected.get());
 }
 
+Influences Influences::of(const RowMajor& J) {
+  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
+  const gsl_matrix_const_view matrix =
+      gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
+  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
+  return {&matrix.matrix, &none.vector};
+}
+
 bool Influences::determine_all(double least) const {
   return has_all_ && gsl_vector_get(S_.get(), S_->size - 1) > least * gsl_vector_get(S_.get(), 0);
 }

@@ -11,11 +11,15 @@
 
 namespace earthtop::measure {
 
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// The singular values of the derivatives, each column divided by its length.
 class Influences {
  public:
   /// @param J  derivatives of normalised residuals (rows, at least as many as columns) by parameters   @param f  residuals
   Influences(const gsl_matrix* J, const gsl_vector* f);
+  /// The same without residuals.
+  static Influences of(const RowMajor& J);
 
   double chi_squared() const { return chi_squared_; }
   /// The size of the next full step in standard errors: the root of the amount by which that step, in the linear approximation,

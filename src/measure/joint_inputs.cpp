@@ -54,7 +54,7 @@ JointInputs::JointInputs(const std::vector<const EstimatedInputs*>& releases, co
     if (are_fitted) fitted_ = list_.size();
   }
   if (releases.size() == 1) return;
-  // What only one release has is its own.
+  // A number that only one release has is its own.
   for (std::size_t j = 0; j < list_.size(); ++j) {
     std::vector<std::size_t> users;
     for (std::size_t r = 0; r < places_.size(); ++r)

@@ -18,7 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// A parameter takes part in an unseen direction if its component is above this, which is a hundred times the error of the
 /// derivatives of strong influences: what is neglected, and the error of what is not, are below a hundredth of the direction's

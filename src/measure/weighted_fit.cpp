@@ -23,7 +23,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The largest next step of a fit that has converged, in standard errors, and the largest number of iterations.
 constexpr double kConverged = 1e-3, kRoughlyConverged = 0.1;
@@ -88,12 +87,7 @@ int evaluate_jacobian(const gsl_vector* u, void* data, gsl_matrix* J) {
 
 /// Whether derivatives tell all parameters apart.
 bool determine_all(const MatrixXd& J, const Callbacks& callbacks) {
-  const RowMajor rows = J;
-  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
-  const gsl_matrix_const_view matrix =
-      gsl_matrix_const_view_array(rows.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
-  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
-  return Influences(&matrix.matrix, &none.vector).determine_all(callbacks.priors > 0 ? kLeastWithPriors : Influences::kLeast);
+  return Influences::of(J).determine_all(callbacks.priors > 0 ? kLeastWithPriors : Influences::kLeast);
 }
 
 /// Steps along fixed derivatives.

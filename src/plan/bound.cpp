@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/bound.hpp"
 
-#include <gsl/gsl_matrix.h>
-#include <gsl/gsl_vector.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +16,7 @@ using Eigen::Index;
 /// The change that no value notices is stated for so small a part of the scale of the number that changes most.
 constexpr double kSmallChange = 0.01;
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using measure::RowMajor;
 
 /// The derivatives of the chosen values. Where errors are correlated, each value is replaced by what is new in it beside the one
 /// before it in its series, (e_k - rho e_(k-1)) / sqrt(1 - rho^2) with rho = exp(-dt / tau): the errors of these are independent
@@ -108,11 +105,7 @@ Bound bound_of(const Derivatives& derivatives, const std::vector<double>& scales
     bound.alone.push_back(scales[static_cast<std::size_t>(j)] / std::sqrt(information));
   }
   if (!priors.empty()) J = with_priors(J, scales, priors);
-  const std::vector<double> zero(static_cast<std::size_t>(J.rows()), 0);
-  const gsl_matrix_const_view matrix =
-      gsl_matrix_const_view_array(J.data(), static_cast<std::size_t>(J.rows()), static_cast<std::size_t>(J.cols()));
-  const gsl_vector_const_view none = gsl_vector_const_view_array(zero.data(), zero.size());
-  const measure::Influences influences(&matrix.matrix, &none.vector);
+  const measure::Influences influences = measure::Influences::of(J);
   const Eigen::Map<const Eigen::VectorXd> scale(scales.data(), static_cast<Index>(scales.size()));
   if (influences.determine_all(priors.empty() ? measure::Influences::kLeast : measure::kLeastWithPriors)) {
     const Eigen::MatrixXd covariance = scale.asDiagonal() * influences.covariance() * scale.asDiagonal();

@@ -153,7 +153,7 @@ std::vector<std::string> shared_names(const std::vector<Release>& releases, cons
   return shared;
 }
 
-/// What is known beforehand of all numbers; what several scenarios state of a shared one is one datum.
+/// Collects what is known beforehand of all numbers; several scenarios' standard errors of a shared one are one datum.
 std::vector<InputPrior> priors_of(const std::vector<Release>& releases, const measure::JointInputs& inputs) {
   std::vector<InputPrior> priors;
   for (std::size_t r = 0; r < releases.size(); ++r) {

@@ -108,7 +108,7 @@ std::string priors_html(const Json& document) {
          list_html(unused);
 }
 
-/// What the fit and chi-squared say; facts on the motions come first.
+/// This section says how good the fit is; facts on the motions come first.
 std::string agreement_html(const Json& document, Facts facts, std::vector<std::string> notes) {
   const Json& fit = document.at("fit");
   facts.emplace_back("chi-squared as given", chi_squared_html(document.at("chi_squared").at("as_given")));

@@ -62,7 +62,7 @@ std::string costs_html(const Json& document, const std::string& unit) {
   return rows.empty() ? "" : table_html({"unknown", "standard error if it were known exactly"}, rows);
 }
 
-/// What each of several releases would tell of the first estimate by itself; empty for one.
+/// This table says how well each of several releases would tell the first estimate by itself; empty for one.
 std::string releases_html(const Json& document, const std::string& unit) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& release : document.value("releases", Json::array()))

@@ -62,7 +62,7 @@ TEST(DrivenAxis, IsThatOfTheGeneralForm) {
           std::max(rates_apart, norm(Vec3<double>(times(R, axes.samples[k].w_LB_B) - times(R_whole, whole.samples[k].w_LB_B))));
     }
     EXPECT_LT(apart, 1e-10);       // the method of the general form: 4e3 rad of turns at 1e-13 each
-    EXPECT_LT(rates_apart, 3e-8);  // of 200 rad/s
+    EXPECT_LT(rates_apart, 3e-8);  // 200 rad/s times that, and as much for the spin
   }
 }
 

@@ -74,6 +74,26 @@ TEST_F(FitSearchTest, BeginsWithTheMeasuredPrecession) {
   }
 }
 
+/// A film that begins two seconds after the release: attitude and rates there are estimated beside the top's own numbers, which are known.
+TEST_F(FitSearchTest, AFreeStartTakesTheMotionAsItIsAtTheFirstRow) {
+  Measurement measurement = filmed(toy(7953, 0.0171, 0.03807), 5);
+  std::erase_if(measurement.values, [](const MeasuredValue& value) { return value.t_s < 2; });
+  const double first_s = measurement.values.front().t_s;
+  for (MeasuredValue& value : measurement.values) value.t_s -= first_s;
+  MeasurementOptions options;
+  options.estimates = with_free_start_estimates({"/effects/air_drag/disc_radius_m", "/body/center_of_mass_m/2"});
+  ASSERT_EQ(options.estimates.size(), 7);
+  EXPECT_EQ(with_free_start_estimates(options.estimates), options.estimates);
+  const ScenarioSource source = with_free_start(toy(7900, 0.018, 0.0379), {{"/release/tilt_deg", "36"}});
+  const MeasurementReport report = compare_with_measurement(source, {}, measurement, options);
+  ASSERT_EQ(report.fit, FitOutcome::converged) << report.fit_reason;
+  EXPECT_TRUE(report.agrees());
+  EXPECT_LT(std::abs(*report.estimates[0].estimate - 0.0171), 4 * *report.estimates[0].standard_error);
+  EXPECT_LT(std::abs(*report.estimates[1].estimate - 0.03807), 4 * *report.estimates[1].standard_error);
+  EXPECT_EQ(report.estimates[2].start, 36);
+  EXPECT_LT(*report.estimates[6].estimate, 7953 * kRpm);  // air has taken some of the spin
+}
+
 TEST_F(FitSearchTest, ANearStartIsFittedAtOnce) {
   const MeasurementReport report = fitted(toy(7953, 0.0171, 0.03807), filmed(toy(7953, 0.0171, 0.03807), 5));
   EXPECT_EQ(report.fit, FitOutcome::converged);

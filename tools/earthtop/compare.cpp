@@ -89,9 +89,7 @@ bool is_scenario(const std::string& path) { return path == "-" || has_a_key(path
 MeasurementOptions measurement_options(const CompareArguments& arguments) {
   MeasurementOptions options;
   options.estimates = arguments.estimates;
-  if (arguments.free_start)
-    for (const std::string& name : free_start_estimates())
-      if (std::ranges::find(options.estimates, name) == options.estimates.end()) options.estimates.push_back(name);
+  if (arguments.free_start) options.estimates = with_free_start_estimates(std::move(options.estimates));
   options.shared = arguments.shared;
   options.priors = arguments.priors;
   options.correlation_time_s = arguments.correlation_time_s.value_or(0);

@@ -69,6 +69,13 @@ int status_of(PlanOutcome outcome) {
   }
 }
 
+void print_report(const PlanReport& report, const PlanArguments& arguments) {
+  if (arguments.json)
+    print(plan_json(report));
+  else if (!arguments.quiet)
+    print(plan_text(report, output_screen()));
+}
+
 /// The releases that are listed in a file, or named one after the other; empty for one scenario.
 ListedReleases releases_of(const PlanArguments& arguments) {
   ListedReleases list;
@@ -110,10 +117,7 @@ int releases_verb(const PlanArguments& arguments, const ListedReleases& list) {
   progress.reach(1);
   if (!arguments.svg.empty()) files.put(arguments.svg, svg(plan_figure(report)));
   files.commit();
-  if (arguments.json)
-    print(plan_json(report));
-  else if (!arguments.quiet)
-    print(plan_text(report, output_screen()));
+  print_report(report, arguments);
   return status_of(report.outcome);
 }
 
@@ -143,10 +147,7 @@ int plan_verb(const PlanArguments& arguments) {
   if (data) files.put(arguments.data, *data);
   if (!arguments.svg.empty()) files.put(arguments.svg, svg(plan_figure(report)));
   files.commit();
-  if (arguments.json)
-    print(plan_json(report));
-  else if (!arguments.quiet)
-    print(plan_text(report, output_screen()));
+  print_report(report, arguments);
   if (!arguments.data.empty() && !has_data)
     message(fmt::format("{} is not written: {}", printable(arguments.data), report.reason));
   return status_of(report.outcome);

@@ -95,7 +95,7 @@ std::string variations_text(const PlanReport& report) {
   return text + fmt::format("{}: duration, rows, sigma\n{}", of, table);
 }
 
-/// What each of several releases would tell by itself; empty for one.
+/// This table says how well each of several releases would tell the first estimate by itself; empty for one.
 std::string releases_text(const PlanReport& report) {
   if (report.releases.empty()) return "";
   const PlannedEstimate& target = report.estimates[0];

@@ -191,7 +191,7 @@ struct MeasurementOptions {
   /// becomes as many as resolve the fastest swings of the axis.
   std::size_t curve_points = 0;
   static constexpr std::size_t kCurvePoints = 1001;
-  /// Of several releases: names of numbers that have one value in all of them. They are estimated, whether `estimates` has them or
+  /// Names of numbers that have one value in all of several releases. They are estimated, whether `estimates` has them or
   /// not; each release has its own value of the others.
   std::vector<std::string> shared = {};
 };
@@ -293,8 +293,8 @@ ReleasesReport compare_releases(const std::vector<MeasuredRelease>& releases, co
 /// @param overrides  `--set` pairs, which are put into the text
 /// @throws ScenarioError for a scenario whose release is no attitude by tilt and azimuth, on a table or in gimbals
 ScenarioSource with_free_start(const ScenarioSource& source, const std::vector<std::pair<std::string, std::string>>& overrides);
-/// The numbers that are estimated with such a start: the attitude of the axis, and the rates.
-std::vector<std::string> free_start_estimates();
+/// The names with those of the numbers that such a start estimates, the axis's attitude and the rates, behind them, each once.
+std::vector<std::string> with_free_start_estimates(std::vector<std::string> names);
 
 /// Says what the data show about an input, e.g. "the tilt at release is 12.10 ± 0.05 deg; the scenario's 12 is 2.0 sigma below
 /// it". Of an estimate with a finding it says that, and which errors of other inputs would do it where it contradicts. Empty

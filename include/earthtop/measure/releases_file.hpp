@@ -24,7 +24,7 @@ struct ListedReleases {
 /// @throws ScenarioError with what is wrong, where in the file, and what is allowed; ReadError
 ListedReleases read_releases(const std::string& file);
 
-/// What such a file may say: as a JSON Schema (draft 7), and as a Markdown table.
+/// These describe what such a file may say: as a JSON Schema (draft 7), and as a Markdown table.
 std::string releases_schema();
 std::string releases_reference_markdown();
 

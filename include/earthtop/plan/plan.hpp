@@ -38,7 +38,7 @@ struct MeasurementPlan {
   double correlation_time_s = 0;  ///< the errors of a quantity are correlated by exp(-dt / correlation_time_s); 0: independent
   std::vector<std::string> estimates;  ///< names as for `compare_with_measurement`; empty: the Earth's rate, as below
   std::vector<std::string> nuisances;  ///< names of further numbers that are not known and have to be fitted as well
-  /// Of several releases: names of numbers that have one value in all of them; those that are no nuisances are estimated.
+  /// Names of numbers that have one value in all of several releases; those that are no nuisances are estimated.
   std::vector<std::string> shared = {};
 };
 

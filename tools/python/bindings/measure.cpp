@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <limits>
 #include <tuple>
 
@@ -37,8 +36,7 @@ Fit fitted(const Given& given, const Data& data, MeasurementOptions options, boo
   if (free_start) {
     source = with_free_start(source, overrides);
     overrides.clear();
-    for (const std::string& name : free_start_estimates())
-      if (std::ranges::find(options.estimates, name) == options.estimates.end()) options.estimates.push_back(name);
+    options.estimates = with_free_start_estimates(std::move(options.estimates));
   }
   options.curve_points = MeasurementOptions::kCurvePoints;
   const MeasurementReport report = compare_with_measurement(source, overrides, measurement_of(data), options, watch);
