@@ -47,6 +47,7 @@ add_library(earthtop-workbench
   measure/estimated_inputs.cpp
   measure/estimation.cpp
   measure/exact_inputs.cpp
+  measure/features.cpp
   measure/figure.cpp
   measure/file.cpp
   measure/findings.cpp
@@ -63,6 +64,7 @@ add_library(earthtop-workbench
   measure/measurement.cpp
   measure/prediction_problem.cpp
   measure/priors.cpp
+  measure/quantities.cpp
   measure/quotation.cpp
   measure/rate_finding.cpp
   measure/releases_file.cpp

@@ -78,7 +78,9 @@ CsvReader::CsvReader(std::string file, CsvFormat format, Descriptor descriptor, 
   if (::fstat(descriptor_.get(), &status) == 0 && status.st_size > 0) size_ = static_cast<std::uint64_t>(status.st_size);
   std::string_view line;
   if (!read_line(line)) refuse("is empty; a header line and rows of numbers are needed");
-  if (format_.or_tabs && line.find('\t') != line.npos && line.find(format_.delimiter) == line.npos) format_.delimiter = '\t';
+  if (format_.or_others)
+    for (const char other : {';', '\t'})
+      if (std::ranges::count(line, other) > std::ranges::count(line, format_.delimiter)) format_.delimiter = other;
   split(line, kMostColumns + 1);
   if (cells_.size() > kMostColumns)
     refuse(fmt::format("the header names more than {} columns, the most that a table may have; leave some out", kMostColumns),
@@ -126,11 +128,35 @@ bool CsvReader::next() {
                static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
       numbers_[i] = static_cast<double>(word - words_[i].begin());
       kinds_[i] = CellKind::number;
-    } else if (!parse(cell, numbers_[i], kinds_[i]))
+    } else if (!parse_number(cell, numbers_[i], kinds_[i]))
       refuse(fmt::format("column {}: \"{}\" is not a number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
                          has_decimal_comma(cell) ? kPointHint : "; write it as 0.1 or 1e-5, without a unit"),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
+  return true;
+}
+
+/// A number with a decimal comma counts where commas do not separate the cells; one file has one decimal sign.
+bool CsvReader::parse_number(std::string_view given, double& number, CellKind& kind) {
+  const bool may_be_comma = format_.or_others && format_.delimiter != ',';
+  if (!may_be_comma) return parse(given, number, kind);
+  const bool has_comma = has_decimal_comma(given);
+  std::string_view cell = given;
+  std::string text;
+  if (has_comma) {
+    text = given;
+    text[text.find(',')] = '.';
+    cell = text;
+  }
+  if (!parse(cell, number, kind)) return false;
+  if (cell.find('.') == cell.npos) return true;
+  const char sign = has_comma ? ',' : '.';
+  if (decimal_sign_ == 0) decimal_sign_ = sign, decimal_line_ = line_;
+  if (sign != decimal_sign_)
+    refuse(
+        fmt::format("\"{}\" has a decimal {}, the numbers of line {} a decimal {}; write all with the same sign, and no sign "
+                    "between thousands",
+                    excerpt(given), has_comma ? "comma" : "point", decimal_line_, has_comma ? "point" : "comma"));
   return true;
 }
 

@@ -16,8 +16,10 @@ inline constexpr std::size_t kMostColumns = 10'000;  ///< a header with more is 
 
 struct CsvFormat {
   char delimiter = ',';
-  char comment = '#';    ///< lines that begin with this character are skipped
-  bool or_tabs = false;  ///< whether tabs separate the cells of a file whose header has them and no delimiter
+  char comment = '#';  ///< lines that begin with this character are skipped
+  /// Whether the cells may also be separated by semicolons or tabs: by what the header has most of. Where no comma separates them, decimal
+  /// signs may be commas.
+  bool or_others = false;
 };
 
 enum class CellKind : char { number, empty, not_finite };
@@ -61,6 +63,7 @@ class CsvReader {
   bool read_line(std::string_view& line);
   void require_text(std::string_view line) const;
   void split(std::string_view line, std::size_t most);
+  bool parse_number(std::string_view given, double& number, CellKind& kind);
   [[noreturn]] void refuse(std::string message, std::size_t column = 1) const;
 
   std::string file_;
@@ -70,6 +73,8 @@ class CsvReader {
   std::string buffer_;
   std::size_t begin_ = 0, end_ = 0;  // bounds of the unused bytes in the buffer
   std::uint64_t line_ = 0;
+  char decimal_sign_ = 0;           // of the file's numbers, where it may be a comma; 0: not seen yet
+  std::uint64_t decimal_line_ = 0;  // where it was seen
   std::vector<std::string> header_;
   std::vector<std::string_view> cells_;
   std::string_view whole_;  // the line that holds the cells

@@ -2,7 +2,7 @@
 /// Finds the columns of a measurement in a CSV file by their names.
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,31 +11,35 @@
 
 namespace earthtop::measure {
 
-/// A unit in which a quantity may be measured, by the end of its columns' names.
-struct MeasuredUnit {
-  std::string_view name;
-  double size;  ///< (rad, or rad/s of a rate)
+/// A number of the file as the one that is meant: size * number + zero.
+struct Conversion {
+  double size = 1;
+  double zero = 0;
+  double operator()(double number) const { return size * number + zero; }
 };
-std::span<const MeasuredUnit> units_of(MeasuredQuantity quantity);
-inline constexpr MeasuredQuantity kAllMeasured[] = {
-    MeasuredQuantity::azimuth,    MeasuredQuantity::tilt,       MeasuredQuantity::axis,        MeasuredQuantity::drift_azimuth,
-    MeasuredQuantity::drift_tilt, MeasuredQuantity::rotor_rate, MeasuredQuantity::outer_angle, MeasuredQuantity::inner_angle};
 
 /// The places of a quantity's numbers among the wanted columns, and their units.
 struct QuantityCells {
   MeasuredQuantity quantity;
-  std::size_t value;  ///< place of the value; for an axis the first of three
-  double value_unit;  ///< size of the value's unit
-  std::size_t error;  ///< place of the standard error
-  double error_unit;  ///< the same of the standard error
+  std::size_t value;                      ///< place of the value; for an axis the first of three
+  Conversion value_is;                    ///< what the value means, in rad, rad/s, m or s
+  std::optional<std::size_t> error = {};  ///< place of the standard error
+  double error_unit = 1;                  ///< size of its unit; without a place the standard error itself
 };
 
 struct MeasurementColumns {
-  std::vector<std::size_t> wanted;  ///< the columns to be read, as places in the header; the time is the first
+  std::vector<std::size_t> wanted;  ///< the columns to be read, as places in the header
+  std::optional<std::size_t> time;  ///< place of the time among them; none where only passages were timed
+  double time_unit_s = 1;
+  std::optional<std::size_t> extreme;  ///< place of the word on turning points
+  std::optional<std::size_t> turns;    ///< place of the number of turns of passages
   std::vector<QuantityCells> quantities;
-  std::vector<std::string> errors;  ///< what is wrong with the header, and what is allowed
+  std::vector<std::string> left_out;  ///< names of columns that nothing reads
+  std::vector<std::string> errors;    ///< what is wrong with the header, and what is allowed
 };
+inline constexpr std::string_view kExtremeWords = "max|min";  // in the order of Extreme, without the first
 
-MeasurementColumns measurement_columns(const std::vector<std::string>& header);
+/// @throws ScenarioError for a format that cannot be understood, or does not fit the header
+MeasurementColumns measurement_columns(const std::vector<std::string>& header, const MeasurementFormat& format);
 
 }  // namespace earthtop::measure

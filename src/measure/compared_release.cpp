@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <map>
 
+#include "measure/measured_motion.hpp"
+
 namespace earthtop::measure {
 namespace {
 
@@ -13,7 +15,7 @@ namespace {
 /// scenario reads for its duration (a table of a platform's motion) are then checked up to that time.
 Overrides with_duration(const MeasuredRelease& given, const Scenario& scenario) {
   Overrides overrides = given.overrides;
-  const double last_s = given.measurement.values.back().t_s;
+  const double last_s = last_time_s(given.measurement);
   if (last_s <= scenario.duration_s) return overrides;
   overrides.emplace_back("/motion/duration_s", fmt::format("{}", last_s));
   overrides.emplace_back("/motion/output_step_s", fmt::format("{}", last_s));
@@ -65,6 +67,7 @@ MeasurementReport ComparedRelease::begun_report() const {
   report.scenario_sha256 = sha256_;
   report.file = measurement().file;
   report.rows = measurement().rows;
+  report.notes = measurement().notes;
   std::map<MeasuredQuantity, std::uint64_t> counts;
   for (const MeasuredValue& value : measurement().values) ++counts[value.quantity];
   report.quantities.assign(counts.begin(), counts.end());

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/finding_json.hpp"
+#include "measure/quantities.hpp"
 #include "results/seal.hpp"
 #include "text/json.hpp"
 
@@ -65,9 +66,7 @@ Json prior_json(const Prior& prior) {
 struct ResidualNumber {
   std::string_view stem;
   double MeasurementResidual::*member;
-  std::string key(std::string_view quantity) const {
-    return fmt::format("{}_{}", stem, quantity == to_string(MeasuredQuantity::rotor_rate) ? "rad_s" : "rad");
-  }
+  std::string key(std::string_view quantity) const { return fmt::format("{}_{}", stem, unit_of(row_of(quantity).dimension)); }
 };
 constexpr ResidualNumber kResidualNumbers[] = {{"measured", &MeasurementResidual::measured},
                                                {"predicted", &MeasurementResidual::predicted},
@@ -84,27 +83,18 @@ Json residual_json(const MeasurementResidual& residual) {
   return json;
 }
 
-/// The numbers of a curve's points, and their names in the document.
-struct CurveNumber {
-  const char* name;
-  double CurvePoint::*member;
-};
-constexpr CurveNumber kCurveNumbers[] = {{"azimuth_rad", &CurvePoint::azimuth_rad},
-                                         {"tilt_rad", &CurvePoint::tilt_rad},
-                                         {"drift_azimuth_rad", &CurvePoint::drift_azimuth_rad},
-                                         {"drift_tilt_rad", &CurvePoint::drift_tilt_rad},
-                                         {"rotor_rate_rad_s", &CurvePoint::rotor_rate_rad_s},
-                                         {"outer_angle_rad", &CurvePoint::outer_angle_rad},
-                                         {"inner_angle_rad", &CurvePoint::inner_angle_rad}};
+/// The name of a quantity's column in a curve.
+std::string curve_column(const QuantityRow& row) { return fmt::format("{}_{}", row.name, unit_of(row.dimension)); }
+bool is_in_curves(const QuantityRow& row) { return row.feature == Feature::value && row.quantity != MeasuredQuantity::axis; }
 
 Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
   if (curve.empty()) return nullptr;
   Json json = {{"mean", is_mean}};
   for (const CurvePoint& point : curve) json["t_s"].push_back(point.t_s);
-  for (const CurveNumber& column : kCurveNumbers) {
-    const auto known = [&](const CurvePoint& point) { return std::isfinite(point.*column.member); };
-    if (std::none_of(curve.begin(), curve.end(), known)) continue;
-    for (const CurvePoint& point : curve) json[column.name].push_back(point.*column.member);
+  for (const QuantityRow& row : quantity_rows()) {
+    const auto known = [&](const CurvePoint& point) { return std::isfinite(shown(point, row)); };
+    if (!is_in_curves(row) || std::none_of(curve.begin(), curve.end(), known)) continue;
+    for (const CurvePoint& point : curve) json[curve_column(row)].push_back(shown(point, row));
   }
   return json;
 }
@@ -173,12 +163,10 @@ double number_or_nan(const Json& json) {
   return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The names of residuals' quantities last as long as the program.
 std::string_view quantity_named(const std::string& name) {
-  for (const std::string_view known : {"azimuth", "tilt", "axis_azimuth", "axis_tilt", "drift_azimuth", "drift_tilt",
-                                       "rotor_rate", "outer_angle", "inner_angle"})
-    if (known == name) return known;
-  refuse_value("not a measured quantity: " + name);
+  const std::string_view known = residual_quantity(name);
+  if (known.empty()) refuse_value("not a measured quantity: " + name);
+  return known;
 }
 
 }  // namespace
@@ -207,10 +195,15 @@ MeasurementReport measurement_of(const Json& document) {
   report.curve_is_mean = curve.value("mean", false);
   for (const Json& t_s : curve.at("t_s")) {
     CurvePoint point{number_or_nan(t_s)};
-    for (const CurveNumber& column : kCurveNumbers)
-      point.*column.member = curve.contains(column.name) ? number_or_nan(curve.at(column.name).at(report.curve.size()))
-                                                         : std::numeric_limits<double>::quiet_NaN();
-    report.curve.push_back(point);
+    for (const QuantityRow& row : quantity_rows()) {
+      if (!is_in_curves(row)) continue;
+      const std::string column = curve_column(row);
+      if (curve.contains(column))
+        show(point, row, number_or_nan(curve.at(column).at(report.curve.size())));
+      else if (row.shown)
+        show(point, row, std::numeric_limits<double>::quiet_NaN());
+    }
+    report.curve.push_back(std::move(point));
   }
   return report;
 }

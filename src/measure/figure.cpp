@@ -11,6 +11,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "measure/measured_motion.hpp"
+#include "measure/quantities.hpp"
 #include "results/time_unit.hpp"
 
 namespace earthtop {
@@ -50,15 +51,8 @@ Series thinned(const Series& all) {
   return kept;
 }
 
-bool is_azimuth(std::string_view quantity) { return quantity.ends_with("azimuth"); }
-
-/// The curve's number that a quantity is measured against.
-double CurvePoint::*value_of(std::string_view quantity) {
-  if (const PartQuantity* part = part_quantity(quantity)) return part->shown;
-  if (quantity == "drift_azimuth") return &CurvePoint::drift_azimuth_rad;
-  if (quantity == "drift_tilt") return &CurvePoint::drift_tilt_rad;
-  return is_azimuth(quantity) ? &CurvePoint::azimuth_rad : &CurvePoint::tilt_rad;
-}
+/// Whether a quantity begins again after a turn, or half of one.
+bool is_azimuth(std::string_view quantity) { return row_of(quantity).period > 0; }
 
 struct Point {
   double t_s, value;
@@ -68,40 +62,41 @@ struct Point {
 /// The model's number over time, from the curve and from the predictions at measured times. No line through means passes these.
 std::vector<Point> model_of(const MeasurementReport& report, const Series& series) {
   std::vector<Point> points;
-  const auto member = value_of(series.front()->quantity);
-  for (const CurvePoint& point : report.curve) points.push_back({point.t_s, point.*member, true});
+  const QuantityRow& row = row_of(series.front()->quantity);
+  for (const CurvePoint& point : report.curve)
+    points.push_back({point.t_s, shown(point, row), row.feature != Feature::period && row.feature != Feature::passage});
   for (const MeasurementResidual* residual : series)
-    points.push_back({residual->t_s, residual->predicted, !report.curve_is_mean || report.curve.empty()});
+    points.push_back(
+        {residual->t_s, residual->predicted, row.feature == Feature::value && (!report.curve_is_mean || report.curve.empty())});
   std::stable_sort(points.begin(), points.end(), [](const Point& a, const Point& b) { return a.t_s < b.t_s; });
   return points;
 }
 
 /// Counts the azimuths of a model on over whole turns. Where two neighbours are far apart that cannot be done: then they stay
 /// as they are, from 0 to a turn, and the curve is broken where it leaps.
-void unwrap(std::vector<Point>& points) {
-  constexpr double kFarApart = 2.5;  // rad; beyond half a turn the next one could as well be on the other side
+void unwrap(std::vector<Point>& points, double period) {
+  const double far_apart = 0.4 * period;  // beyond half a period the next one could as well be on the other side
   std::vector<Point> unwrapped = points;
   double before = kNone;
   bool is_continuous = true;
   for (Point& point : unwrapped) {
     if (!std::isfinite(point.value)) continue;
-    if (std::isfinite(before)) point.value = before + std::remainder(point.value - before, kWholeTurn);
-    is_continuous = is_continuous && !(std::abs(point.value - before) > kFarApart);
+    if (std::isfinite(before)) point.value = before + std::remainder(point.value - before, period);
+    is_continuous = is_continuous && !(std::abs(point.value - before) > far_apart);
     before = point.value;
   }
   const double turns = std::isfinite(before) && !unwrapped.empty() && std::isfinite(unwrapped.front().value)
-                           ? std::floor(unwrapped.front().value / kWholeTurn)
+                           ? std::floor(unwrapped.front().value / period)
                            : 0;
   if (is_continuous) {
-    for (Point& point : unwrapped) point.value -= turns * kWholeTurn;  // compass azimuths begin from 0 to a turn
+    for (Point& point : unwrapped) point.value -= turns * period;  // compass azimuths begin from 0 to a turn
     points = std::move(unwrapped);
     return;
   }
   std::vector<Point> broken;
   for (Point point : points) {
-    point.value -= std::floor(point.value / kWholeTurn) * kWholeTurn;
-    if (!broken.empty() && std::abs(point.value - broken.back().value) > std::numbers::pi)
-      broken.push_back({point.t_s, kNone, true});
+    point.value -= std::floor(point.value / period) * period;
+    if (!broken.empty() && std::abs(point.value - broken.back().value) > period / 2) broken.push_back({point.t_s, kNone, true});
     broken.push_back(point);
   }
   points = std::move(broken);
@@ -113,7 +108,8 @@ struct ShownUnit {
 };
 /// The unit of a rate; of angles degrees, or seconds of arc where all is within a quarter of a degree of 0.
 ShownUnit unit_for(std::string_view quantity, const std::vector<Point>& points) {
-  if (quantity == to_string(MeasuredQuantity::rotor_rate)) return {"rad/s", 1};
+  const Dimension dimension = row_of(quantity).dimension;
+  if (dimension != Dimension::angle) return {spoken_unit(dimension).data(), 1};
   double largest = 0;
   for (const Point& point : points) largest = std::isfinite(point.value) ? std::max(largest, std::abs(point.value)) : largest;
   constexpr double kDegrees = 180 / std::numbers::pi;
@@ -122,12 +118,9 @@ ShownUnit unit_for(std::string_view quantity, const std::vector<Point>& points) 
 
 /// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".
 std::string spoken(std::string_view quantity) {
-  if (const PartQuantity* part = part_quantity(quantity)) return part->spoken;
-  if (quantity == "azimuth") return "Azimuth";
-  if (quantity == "tilt") return "Tilt";
   if (quantity == "axis_azimuth") return "Azimuth of the axis";
   if (quantity == "axis_tilt") return "Tilt of the axis";
-  return quantity == "drift_azimuth" ? "Drift in azimuth" : "Drift in tilt";
+  return row_of(quantity).spoken;
 }
 
 /// The measured number of a residual whose model is drawn at `model_value`: the residual is added to the model, so that both are
@@ -148,7 +141,8 @@ std::string label(const MeasurementReport& report, const Series& series, const c
 Panel data_panel(const MeasurementReport& report, const Series& series, LineColor color, double per_s) {
   const std::string_view quantity = series.front()->quantity;
   std::vector<Point> model = model_of(report, series);
-  if (is_azimuth(quantity) && quantity != "drift_azimuth") unwrap(model);  // a drift is continuous already
+  if (is_azimuth(quantity) && quantity != "drift_azimuth")
+    unwrap(model, row_of(quantity).period);  // a drift is continuous already
   const ShownUnit unit = unit_for(quantity, model);
   Panel panel{{spoken(quantity), unit.name}, {}, 240};
   const bool is_mean = report.curve_is_mean && !report.curve.empty();

@@ -9,10 +9,15 @@
 #include <numbers>
 #include <utility>
 
+#include "earthtop/closed_form/swing.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/frames/earth.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "earthtop/vectors.hpp"
+#include "measure/features.hpp"
+#include "measure/quantities.hpp"
 #include "scene/caged_top.hpp"
+#include "scene/pendulum.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -24,9 +29,6 @@ double azimuth_of(const Vec3<double>& n_L) {
 }
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-/// The angle reduced by whole turns to -pi to pi (rad).
-double folded(double angle) { return std::remainder(angle, kWholeTurn); }
 
 /// The turn from the predicted axis p to the measured axis m, as its components (rad) along growing tilt and along growing
 /// azimuth at m; along North and East where m is vertical. (p x m) x m points from p to m at m, and its length is the sine of
@@ -60,37 +62,24 @@ class RowResiduals {
  public:
   RowResiduals(const Measurement& measurement, std::vector<MeasurementResidual>& all) : measurement_(measurement), all_(all) {}
 
-  void add(const MeasuredValue& value, const PredictedAxis& predicted) {
-    switch (value.quantity) {
-      case MeasuredQuantity::azimuth:
-        require_azimuth(value, !std::isnan(predicted.azimuth_rad));
-        return append(value, "azimuth", value.value, predicted.azimuth_rad, folded(value.value - predicted.azimuth_rad));
-      case MeasuredQuantity::tilt:
-        return append(value, "tilt", value.value, predicted.tilt_rad, value.value - predicted.tilt_rad);
-      case MeasuredQuantity::drift_azimuth: {
-        require_azimuth(value, predicted.drift_azimuth_rad.has_value());
-        const double azimuth = predicted.drift_azimuth_rad.value_or(0);
-        return append(value, "drift_azimuth", value.value, azimuth, folded(value.value - azimuth));
-      }
-      case MeasuredQuantity::drift_tilt:
-        return append(value, "drift_tilt", value.value, predicted.drift_tilt_rad, value.value - predicted.drift_tilt_rad);
-      case MeasuredQuantity::rotor_rate:
-      case MeasuredQuantity::outer_angle:
-      case MeasuredQuantity::inner_angle: {
-        const PartQuantity& part = *part_quantity(value.quantity);
-        const std::optional<double>& there = predicted.*part.predicted;
-        if (!there)
-          refuse(value,
-                 fmt::format("{} was measured, and {}, or leave the column out", to_string(value.quantity), part.missing));
-        return append(value, to_string(value.quantity), value.value, *there, value.value - *there);
-      }
-      case MeasuredQuantity::axis: {
-        const Vec3<double> m_M(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
-        const auto [along_tilt, along_azimuth] = turn_to(m_M, predicted.n_M);
-        append(value, "axis_tilt", tilt_of(m_M), tilt_of(predicted.n_M), along_tilt);
-        return append(value, "axis_azimuth", azimuth_of(m_M), azimuth_of(predicted.n_M), along_azimuth);
-      }
+  /// @param feature  of a value that is a turning point, a period or a passage
+  void add(const MeasuredValue& value, const PredictedAxis& there, const PredictedFeature& feature) {
+    const QuantityRow& row = row_of(value.quantity);
+    if (value.quantity == MeasuredQuantity::axis) {
+      const Vec3<double> m_M(value.axis_L[0], value.axis_L[1], value.axis_L[2]);
+      const auto [along_tilt, along_azimuth] = turn_to(m_M, there.n_M);
+      append(value, "axis_tilt", tilt_of(m_M), tilt_of(there.n_M), along_tilt);
+      return append(value, "axis_azimuth", azimuth_of(m_M), azimuth_of(there.n_M), along_azimuth);
     }
+    const double predicted = row.feature == Feature::value ? there[value.quantity] : feature.value;
+    if (std::isnan(predicted)) {
+      require_azimuth(value);
+      refuse(value, fmt::format("{} was measured{}, and {}, or leave the {} out", row.name,
+                                row.feature == Feature::turning ? fmt::format(" at {:g} s", value.t_s) : "", row.missing,
+                                row.feature == Feature::turning ? "row" : "column"));
+    }
+    const double apart = value.value - predicted;
+    append(value, row.name, value.value, predicted, row.period > 0 ? std::remainder(apart, row.period) : apart);
   }
 
   [[noreturn]] void refuse(const MeasuredValue& value, std::string message) const {
@@ -98,8 +87,8 @@ class RowResiduals {
   }
 
  private:
-  void require_azimuth(const MeasuredValue& value, bool defined) const {
-    if (defined) return;
+  void require_azimuth(const MeasuredValue& value) const {
+    if (value.quantity != MeasuredQuantity::azimuth && value.quantity != MeasuredQuantity::drift_azimuth) return;
     refuse(value, fmt::format("at {:g} s the predicted axis is vertical and has no azimuth; leave the cell empty, or measure "
                               "axis_L_x, _y, _z",
                               value.t_s));
@@ -114,16 +103,6 @@ class RowResiduals {
 
 }  // namespace
 
-const PartQuantity* part_quantity(MeasuredQuantity quantity) {
-  const auto row = std::ranges::find(kPartQuantities, quantity, &PartQuantity::quantity);
-  return row == std::end(kPartQuantities) ? nullptr : &*row;
-}
-const PartQuantity* part_quantity(std::string_view name) {
-  for (const PartQuantity& row : kPartQuantities)
-    if (to_string(row.quantity) == name) return &row;
-  return nullptr;
-}
-
 std::vector<double> measured_times(const Measurement& measurement) {
   std::vector<double> times = {0};
   for (const MeasuredValue& value : measurement.values)
@@ -131,22 +110,46 @@ std::vector<double> measured_times(const Measurement& measurement) {
   return times;
 }
 
-std::vector<CurvePoint> angles_of(const PredictedMotion& motion, bool drift) {
-  constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+std::vector<CurvePoint> curve_of(const PredictedMotion& motion, const Measurement& measurement) {
+  std::array<bool, kMeasuredQuantities> is_shown{};
+  for (const MeasuredValue& value : measurement.values) is_shown[static_cast<std::size_t>(row_of(value.quantity).of)] = true;
   std::vector<CurvePoint> points;
   points.reserve(motion.axes.size());
-  for (const PredictedAxis& axis : motion.axes)
-    points.push_back({axis.t_s, axis.azimuth_rad, axis.tilt_rad,
-                      drift ? axis.drift_azimuth_rad.value_or(kNotMeasured) : kNotMeasured,
-                      drift ? axis.drift_tilt_rad : kNotMeasured, axis.rotor_rate_rad_s.value_or(kNotMeasured),
-                      axis.outer_angle_rad.value_or(kNotMeasured), axis.inner_angle_rad.value_or(kNotMeasured)});
+  for (const PredictedAxis& axis : motion.axes) {
+    CurvePoint& point = points.emplace_back(CurvePoint{axis.t_s});
+    for (const QuantityRow& row : quantity_rows())
+      if (row.shown || is_shown[static_cast<std::size_t>(row.quantity)]) show(point, row, axis[row.quantity]);
+  }
   return points;
 }
 
-bool has_drifts(const Measurement& measurement) {
-  return std::any_of(measurement.values.begin(), measurement.values.end(), [](const MeasuredValue& value) {
-    return value.quantity == MeasuredQuantity::drift_azimuth || value.quantity == MeasuredQuantity::drift_tilt;
-  });
+Sought sought_of(const Measurement& measurement) {
+  using enum MeasuredQuantity;
+  Sought sought;
+  for (const MeasuredValue& value : measurement.values) {
+    const MeasuredQuantity q = value.quantity;
+    sought.drift = sought.drift || q == drift_azimuth || q == drift_tilt;
+    sought.turned_rates = sought.turned_rates || (q >= w_LB_B_x && q <= w_IB_B_z);
+    sought.tip = sought.tip || q == tip_L_x || q == tip_L_y;
+    sought.swing = sought.swing || q == swing_azimuth || q == swing_major || q == swing_minor;
+    sought.angle_rates = sought.angle_rates || row_of(q).feature != Feature::value;
+    sought.rates = sought.rates || q == spin || sought.turned_rates || sought.swing || sought.angle_rates;
+  }
+  return sought;
+}
+
+double end_time_s(const MeasuredValue& value) {
+  switch (row_of(value.quantity).feature) {
+    case Feature::period: return value.t_s + value.value;
+    case Feature::passage: return std::max(value.t_s, value.value);
+    default: return value.t_s;
+  }
+}
+
+double last_time_s(const Measurement& measurement) {
+  double last_s = 0;
+  for (const MeasuredValue& value : measurement.values) last_s = std::max(last_s, end_time_s(value));
+  return last_s;
 }
 
 namespace {
@@ -161,33 +164,70 @@ Scene scene_to_predict(const Scene& measured, const std::vector<double>& times_s
   return Scene(std::move(scenario));
 }
 
-PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>& times_s, bool drift, const Watch& watch,
-                               std::optional<Method> method) {
+/// The rate of the laboratory along its own axes (rad/s).
+Vec3<double> rate_IL_L(const Scene& scene) { return scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site()); }
+
+constexpr MeasuredQuantity kFixedRates[] = {MeasuredQuantity::w_LB_B_x, MeasuredQuantity::w_LB_B_y, MeasuredQuantity::w_LB_B_z},
+                           kInertialRates[] = {MeasuredQuantity::w_IB_B_x, MeasuredQuantity::w_IB_B_y,
+                                               MeasuredQuantity::w_IB_B_z};
+
+void put_rates(PredictedAxis& axis, const Vec3<double>& w_LB_B, const Vec3<double>& w_IB_B) {
+  axis.w_LB_B = w_LB_B;
+  axis[MeasuredQuantity::spin] = w_LB_B[2];
+  for (int i = 0; i < 3; ++i) axis[kFixedRates[i]] = w_LB_B[i], axis[kInertialRates[i]] = w_IB_B[i];
+}
+Vec3<double> inertial_rate(const PredictedAxis& axis) {
+  return {axis[kInertialRates[0]], axis[kInertialRates[1]], axis[kInertialRates[2]]};
+}
+
+/// Fills in what follows from attitude and rate. @param w_IL_L  the laboratory's rate
+void take_rates(PredictedAxis& axis, const Quaternion<double>& q_LB, const Vec3<double>& w_LB_B, const Vec3<double>& w_IL_L) {
+  const Mat3<double> R_LB = rotation_matrix(q_LB);
+  axis.rate_M = R_LB * Vec3<double>(w_LB_B[1], -w_LB_B[0], 0);
+  put_rates(axis, w_LB_B, w_LB_B + R_LB.transpose() * w_IL_L);
+}
+
+PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>& times_s, const Sought& sought,
+                               const Watch& watch, std::optional<Method> method) {
+  using enum MeasuredQuantity;
   const Scene scene = scene_to_predict(measured, times_s, method);
   scene.require_integrable();
   scene.require_affordable();
   DriftProblem<double> problem = scene.problem<double>();
   problem.times_s = times_s;
   const IntegrationOptions& options = scene.choice().options;
+  const Vec3<double> w_IL_L = rate_IL_L(scene);
   PredictedMotion predicted;
   predicted.axes.reserve(times_s.size());
   // A motion that dry friction brings to rest is held at rest where drifts are computed; a driven symmetric top whose axis has no
   // equations of its own has those without the spin there; a top on a table, and the rotor of a gyrostat, have all of their equations
   // there.
-  const bool axis_alone = scene.symmetry_axis() == 2;
+  const bool axis_alone = scene.symmetry_axis() == 2 && !sought.turned_rates;
   const bool is_driven_top = !scene.is_plain() && scene.form(options) == ModelForm::reduced &&
                              !(axis_alone && has_axis_motion(problem.model, options));
-  if (drift || is_driven_top || scene.support().has_moving_parts() || !scene.support().no_motion_alone.empty() ||
+  if (sought.drift || is_driven_top || scene.support().has_moving_parts() || !scene.support().no_motion_alone.empty() ||
       scene.scenario().effects.applied.coulomb_N_m != 0) {
     const DriftTrajectory<double> motion = integrate_drift(problem, options, watch);
+    const Mat3<double> R_LH =
+        problem.table ? rotation_matrix(problem.table->start.q_LH) : Mat3<double>(Mat3<double>::Identity());
     predicted.status = motion.status;
     for (const DriftSample<double>& sample : motion.samples) {
-      PredictedAxis axis{.t_s = sample.state.t_s, .n_M = rotation_matrix(sample.state.q_LB).col(2)};
-      axis.drift_tilt_rad = sample.measures.tilt;
-      if (sample.measures.azimuth_defined) axis.drift_azimuth_rad = sample.azimuth;
-      if (sample.rotor) axis.rotor_rate_rad_s = sample.rotor->rate;
-      if (sample.gimbals) axis.outer_angle_rad = sample.gimbals->outer.rot, axis.inner_angle_rad = sample.gimbals->inner.rot;
-      predicted.axes.push_back(axis);
+      PredictedAxis& axis = predicted.axes.emplace_back();
+      axis.t_s = sample.state.t_s;
+      axis.n_M = rotation_matrix(sample.state.q_LB).col(2);
+      if (sought.drift) axis[drift_tilt] = sample.measures.tilt;
+      if (sought.drift && sample.measures.azimuth_defined) axis[drift_azimuth] = sample.azimuth;
+      if (sample.rotor) axis[rotor_rate] = sample.rotor->rate;
+      if (sample.gimbals) {
+        axis[outer_angle] = sample.gimbals->outer.rot, axis[inner_angle] = sample.gimbals->inner.rot;
+        axis.rate_of(outer_angle) = sample.gimbals->outer_rate.rot, axis.rate_of(inner_angle) = sample.gimbals->inner_rate.rot;
+      }
+      if (sample.contact) {
+        const auto& tip_L = sample.contact->tip_L;
+        const Vec3<double> tip_H = transposed_times(R_LH, Vec3<double>(tip_L[0].rot, tip_L[1].rot, tip_L[2].rot));
+        axis[tip_L_x] = tip_H[0], axis[tip_L_y] = tip_H[1];
+      }
+      if (sought.rates) take_rates(axis, sample.state.q_LB, sample.state.w_LB_B, w_IL_L);
     }
     for (const ContactEvent& event : motion.contact_events)
       if (ends_run(event.kind) && predicted.axes.size() < times_s.size()) predicted.end = event;
@@ -196,20 +236,28 @@ PredictedMotion predicted_axes(const Scene& measured, const std::vector<double>&
   const MotionTrajectory<double> motion =
       integrate_motion(problem, options, axis_alone ? MotionSought::symmetry_axis : MotionSought::attitude, watch);
   predicted.status = motion.status;
-  for (const MotionSample<double>& sample : motion.samples)
-    predicted.axes.push_back({.t_s = sample.t_s, .n_M = rotation_matrix(sample.q_LB).col(2)});
+  for (const MotionSample<double>& sample : motion.samples) {
+    PredictedAxis& axis = predicted.axes.emplace_back();
+    axis.t_s = sample.t_s;
+    axis.n_M = rotation_matrix(sample.q_LB).col(2);
+    if (sought.rates) take_rates(axis, sample.q_LB, sample.w_LB_B, w_IL_L);
+  }
   return predicted;
 }
 
-}  // namespace
-
-void read_angles(PredictedAxis& axis, const Scenario& scenario) {
-  const Instrument instrument = scenario.instrument.value_or(Instrument());
-  axis.azimuth_rad = instrument.reading(0, azimuth_of(axis.n_M));
-  axis.tilt_rad = instrument.reading(1, tilt_of(axis.n_M));
+/// Fills in the swing of a pendulum.
+void take_swings(PredictedMotion& motion, const Scene& scene) {
+  using enum MeasuredQuantity;
+  const std::optional<SymmetricTop<double>> pendulum = pendulum_of(scene);
+  if (!pendulum) return;
+  const double up_rad_s = rate_IL_L(scene)[2];
+  for (PredictedAxis& axis : motion.axes) {
+    const auto swing = swing_of(*pendulum, axis.n_M, axis.rate_M, axis.w_LB_B[2], up_rad_s);
+    if (!swing) continue;
+    axis[swing_major] = swing->major_rad, axis[swing_minor] = swing->minor_rad;
+    if (swing->azimuth_rad) axis[swing_azimuth] = *swing->azimuth_rad;
+  }
 }
-
-namespace {
 
 /// A vector v turned by a rotation vector, whose length is the angle (Rodrigues' formula).
 Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& turn) {
@@ -219,24 +267,57 @@ Vec3<double> turned(const Vec3<double>& v, const Vec3<double>& turn) {
   return part.cos * v + part.sin * axis.cross(v) + (1 - part.cos) * axis.dot(v) * axis;
 }
 
-/// Replaces a motion's axis in the laboratory, and what else is measured, by what the instrument makes of it.
-void read_by_instrument(PredictedAxis& axis, const Scenario& scenario) {
-  using enum InstrumentInput;
-  if (scenario.instrument) {
-    const Instrument& instrument = *scenario.instrument;
-    const Vec3<double> turn_L = kDegree * Vec3<double>(instrument[turn_east], instrument[turn_north], instrument[turn_up]);
-    if (norm(turn_L) > 0) axis.n_M = turned(axis.n_M, turn_L);
-    if (axis.rotor_rate_rad_s)
-      *axis.rotor_rate_rad_s = instrument[rotor_rate_bias] + instrument[rotor_rate_scale] * *axis.rotor_rate_rad_s;
-    if (axis.outer_angle_rad) *axis.outer_angle_rad = instrument.reading(2, *axis.outer_angle_rad);
-    if (axis.inner_angle_rad) *axis.inner_angle_rad = instrument.reading(3, *axis.inner_angle_rad);
-  }
-  read_angles(axis, scenario);
-}
+/// The scales of an instrument, by the quantities that are read on them.
+constexpr MeasuredQuantity kOnScales[kInstrumentScales] = {MeasuredQuantity::azimuth, MeasuredQuantity::tilt,
+                                                           MeasuredQuantity::outer_angle, MeasuredQuantity::inner_angle};
+
+/// A rate of which an instrument reads bias + scale * rate.
+struct ReadRate {
+  MeasuredQuantity quantity;
+  InstrumentInput bias, scale;
+};
+constexpr ReadRate kRatesRead[] = {
+    {MeasuredQuantity::rotor_rate, InstrumentInput::rotor_rate_bias, InstrumentInput::rotor_rate_scale},
+    {MeasuredQuantity::spin, InstrumentInput::spin_bias, InstrumentInput::spin_scale},
+    {MeasuredQuantity::w_LB_B_x, InstrumentInput::w_x_bias, InstrumentInput::w_scale},
+    {MeasuredQuantity::w_LB_B_y, InstrumentInput::w_y_bias, InstrumentInput::w_scale},
+    {MeasuredQuantity::w_LB_B_z, InstrumentInput::w_z_bias, InstrumentInput::w_scale},
+    {MeasuredQuantity::w_IB_B_x, InstrumentInput::w_x_bias, InstrumentInput::w_scale},
+    {MeasuredQuantity::w_IB_B_y, InstrumentInput::w_y_bias, InstrumentInput::w_scale},
+    {MeasuredQuantity::w_IB_B_z, InstrumentInput::w_z_bias, InstrumentInput::w_scale}};
 
 }  // namespace
 
+void read_angles(PredictedAxis& top, const Scenario& scenario) {
+  using enum MeasuredQuantity;
+  const Instrument instrument = scenario.instrument.value_or(Instrument());
+  top[azimuth] = instrument.reading(0, azimuth_of(top.n_M));
+  top[tilt] = instrument.reading(1, tilt_of(top.n_M));
+}
+
 namespace {
+
+/// Replaces a motion's axis in the laboratory, and what else is measured, by what the instrument makes of it.
+void read_by_instrument(PredictedAxis& top, const Scenario& scenario) {
+  using enum MeasuredQuantity;
+  const Instrument instrument = scenario.instrument.value_or(Instrument());
+  const Vec3<double> turn_L =
+      kDegree * Vec3<double>(instrument[InstrumentInput::turn_east], instrument[InstrumentInput::turn_north],
+                             instrument[InstrumentInput::turn_up]);
+  if (norm(turn_L) > 0) top.n_M = turned(top.n_M, turn_L), top.rate_M = turned(top.rate_M, turn_L);
+  for (const ReadRate& read : kRatesRead)
+    top[read.quantity] = instrument[read.bias] + instrument[read.scale] * top[read.quantity];
+  top[outer_angle] = instrument.reading(2, top[outer_angle]);
+  top[inner_angle] = instrument.reading(3, top[inner_angle]);
+  top[swing_azimuth] = instrument.reading(0, top[swing_azimuth] - turn_L[2]);
+  read_angles(top, scenario);
+  const Vec3<double>& n = top.n_M;
+  const double horizontal = horizontal_part(n);
+  top.rate_of(azimuth) = (top.rate_M[0] * n[1] - top.rate_M[1] * n[0]) / (horizontal * horizontal);
+  top.rate_of(tilt) = -top.rate_M[2] / horizontal;
+  for (std::size_t scale = 0; scale < kInstrumentScales; ++scale)
+    top.rate_of(kOnScales[scale]) *= (instrument.reversed[scale] ? -1 : 1) / instrument[InstrumentInput::clock_rate];
+}
 
 /// The times of the motion (s), and the place among them of each time that the instrument's clock shows.
 std::pair<std::vector<double>, std::vector<std::size_t>> times_of_motion(const Scene& scene,
@@ -258,14 +339,20 @@ Method method_of_prediction(const Scene& scene, const std::vector<double>& times
   return scene_to_predict(scene, times_of_motion(scene, times_s).first, {}).choice().options.method;
 }
 
-PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, bool drift, const Watch& watch,
+PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, const Sought& sought, const Watch& watch,
                         std::optional<Method> method) {
+  using enum MeasuredQuantity;
   const auto [motion_times_s, places] = times_of_motion(scene, times_s);
-  PredictedMotion motion = predicted_axes(scene, motion_times_s, drift, watch, method);
+  PredictedMotion motion = predicted_axes(scene, motion_times_s, sought, watch, method);
   if (is_caged_top(scene.scenario())) {
     const CagedTop<double> cage(scene.scenario());
-    for (PredictedAxis& axis : motion.axes) axis.rotor_rate_rad_s = cage.rotor_rate(axis.t_s);
+    for (PredictedAxis& axis : motion.axes) {
+      axis[rotor_rate] = cage.rotor_rate(axis.t_s);
+      if (!sought.rates) continue;
+      put_rates(axis, cage.rate_of_cage(axis.w_LB_B, axis.t_s), cage.rate_of_cage(inertial_rate(axis), axis.t_s));
+    }
   }
+  if (sought.swing) take_swings(motion, scene);
   for (PredictedAxis& axis : motion.axes) read_by_instrument(axis, scene.scenario());
   PredictedMotion read{motion.status, {}, motion.end};
   read.axes.reserve(times_s.size());
@@ -274,6 +361,11 @@ PredictedMotion predict(const Scene& scene, const std::vector<double>& times_s, 
     read.axes.back().t_s = times_s[k];
   }
   return read;
+}
+
+PredictedMotion predict(const Scene& scene, const Measurement& measurement, const Watch& watch, std::optional<Method> method) {
+  if (has_features(measurement)) return predict_features(scene, measurement, watch, method);
+  return predict(scene, measured_times(measurement), sought_of(measurement), watch, method);
 }
 
 bool is_beyond_prediction(const VerdictReport& verdict, double until_s) {
@@ -299,17 +391,18 @@ std::vector<MeasurementResidual> residuals_of(const Measurement& measurement, co
   residuals.reserve(2 * measurement.values.size());
   RowResiduals rows(measurement, residuals);
   std::size_t at = 0;
-  for (const MeasuredValue& value : measurement.values) {
+  for (std::size_t i = 0; i < measurement.values.size(); ++i) {
+    const MeasuredValue& value = measurement.values[i];
     while (at < motion.axes.size() && motion.axes[at].t_s < value.t_s) ++at;
     if (at == motion.axes.size() && motion.end) rows.refuse(value, words_on_end(*motion.end) + "; leave out later rows");
     if (at == motion.axes.size()) break;
-    rows.add(value, motion.axes[at]);
+    rows.add(value, motion.axes[at], motion.features.empty() ? PredictedFeature{} : motion.features[i]);
   }
   return residuals;
 }
 
 double period_of(const MeasurementResidual& residual) {
-  return residual.quantity == "azimuth" || residual.quantity == "drift_azimuth" ? kWholeTurn : 0;
+  return residual.quantity.starts_with("axis") ? 0 : row_of(residual.quantity).period;
 }
 
 }  // namespace earthtop::measure

@@ -26,14 +26,14 @@ namespace {
 /// Refuses rows that no computation can predict. Adds a note where the motion depends on digits that are not known.
 void require_reliable(MeasurementReport& report, const ComparedRelease& release, const Watch& watch) {
   const Measurement& measurement = release.measurement();
-  const auto [status, reached_s, verdict] = judged_motion(release.scene(), measurement.values.back().t_s, watch);
+  const auto [status, reached_s, verdict] = judged_motion(release.scene(), last_time_s(measurement), watch);
   if (status == RunStatus::interrupted) report.status = status;
   if (status != RunStatus::completed) return;
   report.verdict = verdict.verdict;
   if (verdict.verdict == Verdict::marginal) report.notes.push_back(fmt::format("marginal: {}", verdict.reason));
   if ((verdict.verdict != Verdict::unstable && verdict.verdict != Verdict::chaotic) || !verdict.from_s) return;
   for (const MeasuredValue& value : measurement.values)
-    if (verdict.doubts_motion(value.t_s)) {
+    if (verdict.doubts_motion(end_time_s(value))) {
       const std::string message =
           fmt::format("after {:.6g} s the scenario's motion is {}, and its prediction means nothing: {}; leave out {}",
                       *verdict.from_s, to_string(verdict.verdict), verdict.reason,
@@ -44,27 +44,27 @@ void require_reliable(MeasurementReport& report, const ComparedRelease& release,
 
 /// Means of neighbouring axes, each of `each` of them, of which the outer ones count less.
 std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std::size_t each, const Scenario& scenario) {
+  using enum MeasuredQuantity;
   std::vector<PredictedAxis> means;
   for (std::size_t begin = 0; begin + each <= axes.size(); begin += each) {
-    PredictedAxis mean{.t_s = (axes[begin].t_s + axes[begin + each - 1].t_s) / 2, .drift_azimuth_rad = 0.0};
+    // What does not swing as the axis does has the value in the middle.
+    PredictedAxis mean = axes[begin + each / 2];
+    mean.t_s = (axes[begin].t_s + axes[begin + each - 1].t_s) / 2;
+    mean.n_M.setZero();
+    mean[drift_tilt] = mean[drift_azimuth] = 0;
     double weights = 0;
     for (std::size_t k = 0; k < each; ++k) {
       const PredictedAxis& axis = axes[begin + k];
       const double place = (static_cast<double>(k) + 1) / (static_cast<double>(each) + 1) - 0.5, weight = 1 - 4 * place * place;
       mean.n_M += weight * axis.n_M;
-      mean.drift_tilt_rad += weight * axis.drift_tilt_rad;
-      if (mean.drift_azimuth_rad && axis.drift_azimuth_rad)
-        *mean.drift_azimuth_rad += weight * *axis.drift_azimuth_rad;
-      else
-        mean.drift_azimuth_rad.reset();
+      mean[drift_tilt] += weight * axis[drift_tilt];
+      mean[drift_azimuth] += weight * axis[drift_azimuth];
       weights += weight;
     }
-    // The parts do not swing as the axis does.
-    for (const PartQuantity& part : kPartQuantities) mean.*part.predicted = axes[begin + each / 2].*part.predicted;
     mean.n_M.normalize();
     read_angles(mean, scenario);
-    mean.drift_tilt_rad /= weights;
-    if (mean.drift_azimuth_rad) *mean.drift_azimuth_rad /= weights;
+    mean[drift_tilt] /= weights;
+    mean[drift_azimuth] /= weights;
     means.push_back(mean);
   }
   return means;
@@ -80,8 +80,7 @@ void take_curve(MeasurementReport& report, const ComparedRelease& release, std::
   if (report.fitted)
     for (const ParameterEstimate& estimate : report.estimates) values.push_back(*estimate.estimate);
   const std::optional<Scene> fitted = report.fitted ? release.inputs().scene(values) : std::nullopt;
-  const double end_s = measurement.values.back().t_s;
-  const bool drift = has_drifts(measurement);
+  const double end_s = last_time_s(measurement);
   std::vector<double> times{end_s};
   std::size_t a_window = 0;
   if (end_s > 0) {
@@ -97,10 +96,10 @@ void take_curve(MeasurementReport& report, const ComparedRelease& release, std::
         times.push_back(k + 1 == points ? end_s : end_s * (static_cast<double>(k) / static_cast<double>(points - 1)));
     }
   }
-  PredictedMotion motion = predict(fitted ? *fitted : given, times, drift, watch);
+  PredictedMotion motion = predict(fitted ? *fitted : given, times, sought_of(measurement), watch);
   report.curve_is_mean = a_window > 0;
   if (a_window > 0) motion.axes = means_of(motion.axes, a_window, given.scenario());
-  report.curve = angles_of(motion, drift);
+  report.curve = curve_of(motion, measurement);
 }
 
 /// The median time between successive values of a series (s).
@@ -168,10 +167,11 @@ void note_large_residuals(MeasurementReport& report) {
 void compare_as_given(MeasurementReport& report, const ComparedRelease& release, double correlation_time_s, Parts& parts,
                       double of_verdict) {
   const Measurement& measurement = release.measurement();
-  const PredictedMotion motion =
-      predict(release.scene(), measured_times(measurement), has_drifts(measurement), parts.next(1, "prediction"));
+  const PredictedMotion motion = predict(release.scene(), measurement, parts.next(1, "prediction"));
   report.status = motion.status;
-  report.reached_s = motion.axes.empty() ? 0 : motion.axes.back().t_s;
+  report.reached_s = motion.status == RunStatus::completed ? last_time_s(measurement)
+                     : motion.axes.empty()                 ? 0
+                                                           : motion.axes.back().t_s;
   report.residuals = residuals_of(measurement, motion);
   if (correlation_time_s > 0) whiten(report.residuals, whitening_of(report, correlation_time_s));
   report.as_given = chi_squared_of(report.residuals, {}, 0);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "measure/measured_motion.hpp"
+#include "measure/quantities.hpp"
 
 namespace earthtop::measure {
 namespace {
@@ -43,13 +44,11 @@ std::vector<double> numbers_of(const std::vector<MeasurementResidual>& residuals
 
 PredictedMotion predicted(const Scene& scene, const Measurement& measurement, const Watch& watch,
                           std::optional<Method> method) {
-  const std::vector<double> times_s = measured_times(measurement);
-  const bool drift = has_drifts(measurement);
   if (method) try {
-      return predict(scene, times_s, drift, watch, method);
+      return predict(scene, measurement, watch, method);
     } catch (const ScenarioError&) {  // this motion is of another kind
     }
-  return predict(scene, times_s, drift, watch);
+  return predict(scene, measurement, watch);
 }
 
 }  // namespace
@@ -88,6 +87,7 @@ FitProblem prediction_problem(const JointInputs& inputs, const std::vector<Varie
     for (const MeasurementResidual& residual : release.residuals) {
       problem.standard_error.push_back(residual.standard_error);
       problem.period.push_back(period_of(residual));
+      problem.size.push_back(size_of(row_of(residual.quantity).dimension));
     }
   problem.stopped = [&watch] { return watch.asks_to_stop(); };
   constexpr std::size_t kMost = 24;  // two for each of a release's own inputs and for a few shared ones

@@ -31,6 +31,16 @@ constexpr Field kReleasesFields[] = {
     {"/releases/*/scenario", text, "", kAny, "", "", "its scenario: a file, its path relative to this one", kNeeded},
     {"/releases/*/measurement", text, "", kAny, "", "",
      "what was measured: a CSV file, its path relative to this one; not needed for a plan"},
+    {"/releases/*/columns", anything, "", kAny, "", "[]",
+     "what its columns are, as --columns takes it, e.g. [\"phi=azimuth_deg\"]"},
+    {"/releases/*/sigma", anything, "", kAny, "", "[]", "standard errors, as --sigma takes them, e.g. [\"azimuth_deg=0.2\"]"},
+    {"/releases/*/time_offset_s",
+     number,
+     "s",
+     {-1e9, 1e9},
+     "",
+     "0",
+     "what its clock shows at the release; rows before it are left out"},
     {"/releases/*/set", changes, "", kAny, "", "[]", "changes to its scenario, e.g. [\"/release/spin_rpm=-2400\"]"},
     {"/releases/*/estimate", anything, "", kAny, "", "[]", "names of numbers that are estimated for this release alone"},
 };
@@ -84,6 +94,7 @@ ListedReleases read_releases(const std::string& file) {
     one.measurement = path_of(release, "measurement", file);
     one.sets = release.changes("set").value_or(std::vector<std::string>());
     one.estimates = names_of(release, "estimate");
+    one.format = {names_of(release, "columns"), names_of(release, "sigma"), release.number("time_offset_s").value_or(0)};
   }
   if (!findings.empty()) throw ScenarioError(findings.errors(text), file);
   return list;

@@ -9,7 +9,10 @@ namespace earthtop::measure {
 namespace {
 
 constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // parts of a parameter's scale
+constexpr double kLongestStepInErrors = 1e-2;  // where errors are so large that a longer step makes no difference to them
 constexpr double kWantedChange_rad = 1e-4;
+constexpr double kWantedChange =
+    0.5;  // of all residuals together, in standard errors: a ripple below the errors is not followed
 constexpr double kFine = 2, kRough = 30;  // factors by which a change may differ from the wanted one
 
 }  // namespace
@@ -120,8 +123,10 @@ Eigen::VectorXd ScaledProblem::with_priors(Eigen::VectorXd of_data, std::size_t 
 
 double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, double step) const {
   double change = 0;
-  for (Eigen::Index i = 0; i < derivative.size(); ++i)
-    change = std::max(change, std::abs(derivative[i]) * step * problem_.standard_error[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < derivative.size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    change = std::max(change, std::abs(derivative[i]) * step * problem_.standard_error[row] / problem_.size[row]);
+  }
   return change;
 }
 
@@ -157,13 +162,14 @@ ScaledProblem::StepFound ScaledProblem::find_step(const std::vector<double>& u, 
       step = std::max(kShortestStep, step / 1e2);
       continue;
     }
-    const double change_rad = largest_change_rad(derivative, step);
-    const bool is_fine = change_rad <= within * kWantedChange_rad && change_rad >= kWantedChange_rad / within;
-    const bool cannot_grow = change_rad < kWantedChange_rad && step >= kLongestStep;
+    const double change_rad = largest_change_rad(derivative, step), change = derivative.norm() * step;
+    const double share = std::min(change_rad / kWantedChange_rad, change / kWantedChange);  // of the wanted change
+    const double longest = change_rad < kWantedChange_rad ? kLongestStep : kLongestStepInErrors;
+    const bool is_fine = share <= within && share >= 1 / within;
+    const bool cannot_grow = share < 1 && step >= longest;
     if (cannot_grow && change_rad < 10 * kPredictionError_rad) return StepFound::no_influence;
     if (is_fine || cannot_grow || attempt == kAttempts) return StepFound::yes;
-    const double wanted = change_rad > 0 ? step * kWantedChange_rad / change_rad : kLongestStep;
-    step = std::clamp(wanted, kShortestStep, kLongestStep);
+    step = std::clamp(share > 0 ? step / share : longest, kShortestStep, longest);
   }
 }
 

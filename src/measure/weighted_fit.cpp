@@ -26,6 +26,7 @@ using Eigen::VectorXd;
 
 /// The largest next step of a fit that has converged, in standard errors, and the largest number of iterations.
 constexpr double kConverged = 1e-3, kRoughlyConverged = 0.1;
+constexpr double kRipple = 0.05;  // of the next step where no step goes lower
 constexpr int kMostIterations = 100, kMostRoughIterations = 30;
 /// Where there is no prediction, the residuals are made this much larger than any so far, so that GSL takes the step back.
 constexpr double kNoPrediction = 1e3;
@@ -204,7 +205,9 @@ Fit fit_scaled(const FitProblem& given, ScaledProblem& problem) {
       return fit;
     }
     const double scatter = n > p ? std::max(1.0, influences.chi_squared() / static_cast<double>(n - p)) : 1.0;
-    if (influences.next_step() <= converged * std::sqrt(scatter)) {  // in scaled errors if the scatter is larger than stated
+    // In scaled errors if the scatter is larger than stated. A ripple of the motion, as a nutation far below the errors makes, has minima of its own.
+    const double most = status == GSL_ENOPROG && callbacks.all_predicted ? std::max(converged, kRipple) : converged;
+    if (influences.next_step() <= most * std::sqrt(scatter)) {
       fit.outcome = FitOutcome::converged;
       fit.jacobian =
           Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>(workspace->J->data, static_cast<Index>(n), static_cast<Index>(p),

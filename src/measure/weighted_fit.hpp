@@ -22,7 +22,8 @@ struct FitPrior {
 struct FitProblem {
   std::vector<double> start;
   std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change
-  std::vector<double> standard_error;  ///< for each residual (rad)
+  std::vector<double> standard_error;  ///< for each residual (rad, rad/s, m or s)
+  std::vector<double> size;            ///< for each residual, in its unit: what a radian is for an angle
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
   Whitening whitening;                 ///< of the residuals divided by their standard errors
   std::vector<FitPrior> priors;        ///< each is a datum besides the residuals
@@ -47,7 +48,7 @@ struct Fit {
   int iterations = 0;
 };
 
-/// The error of a predicted angle that the prediction's arithmetic causes, roughly (rad).
+/// The error of a predicted angle that the prediction's arithmetic causes, roughly (rad); of other numbers in parts of their size.
 inline constexpr double kPredictionError_rad = 1e-11;
 
 /// Fits the parameters by GSL's trust region method (Levenberg-Marquardt) with central differences.

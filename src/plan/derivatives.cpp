@@ -42,8 +42,7 @@ Derivatives derivatives_of(const Scene& scene, const measure::EstimatedInputs& i
   Derivatives found;
   const double part = 1 / expected_predictions(inputs.list().size());
   Measurement measurement = empty_measurement(quantities, times_s);
-  const bool drift = measure::has_drifts(measurement);
-  const PredictedMotion motion = measure::predict(scene, times_s, drift, watch.part(0, part));
+  const PredictedMotion motion = measure::predict(scene, measurement, watch.part(0, part));
   ++predictions;
   found.status = motion.status;
   if (motion.status != RunStatus::completed) {

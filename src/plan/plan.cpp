@@ -11,6 +11,7 @@
 #include "measure/exact_inputs.hpp"
 #include "measure/known_rate.hpp"
 #include "measure/measured_motion.hpp"
+#include "measure/quantities.hpp"
 #include "plan/advice.hpp"
 #include "plan/bound.hpp"
 #include "plan/optimise.hpp"
@@ -77,9 +78,13 @@ std::vector<PlannedQuantity> with_tilt(const std::vector<PlannedQuantity>& quant
   return more;
 }
 
-Grid grid_of(std::size_t rows, std::size_t quantities, std::size_t extent) {
-  Grid grid{4, extent, false};
-  while (grid.density > 1 && rows * quantities * grid.density * extent > kMostGridValues) grid.density /= 2;
+/// @param quantities  the planned ones and, for a look at it, a tilt
+Grid grid_of(std::size_t rows, const std::vector<PlannedQuantity>& quantities, std::size_t extent) {
+  // Between the rows there is no further turning point or passage.
+  const bool are_values = std::ranges::all_of(
+      quantities, [](const PlannedQuantity& one) { return measure::row_of(one.quantity).feature == measure::Feature::value; });
+  Grid grid{are_values ? std::size_t{4} : 1, extent, false};
+  while (grid.density > 1 && rows * 2 * quantities.size() * grid.density * extent > kMostGridValues) grid.density /= 2;
   return grid;
 }
 
@@ -292,7 +297,7 @@ PlanReport plan_all(const std::vector<PlannedRelease>& planned, const Measuremen
   bool has_tilt = false;
   const std::vector<PlannedQuantity> quantities = with_tilt(report.plan.quantities, has_tilt);
   const bool can_last = std::ranges::all_of(releases, [&](const Release& one) { return one.lasting.until_s > until_s; });
-  Grid grid = grid_of(report.rows, 2 * quantities.size(), can_last ? 2 : 1);
+  Grid grid = grid_of(report.rows, quantities, can_last ? 2 : 1);
   grid.has_tilt = has_tilt;
   const auto of_releases = derivatives_of_all(report, releases, exact_of, quantities, grid, parts);
   if (!of_releases) return report;

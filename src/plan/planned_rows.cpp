@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "input/node.hpp"
 #include "input/suggest.hpp"
-#include "measure/columns.hpp"
+#include "measure/quantities.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop {
@@ -17,14 +18,12 @@ namespace {
 
 [[noreturn]] void refuse_quantity(const std::string& name) {
   std::vector<std::string> names;
-  for (const MeasuredQuantity quantity : measure::kAllMeasured)
-    for (const measure::MeasuredUnit& unit : measure::units_of(quantity))
-      names.push_back(fmt::format("{}_{}", to_string(quantity), unit.name));
+  for (const measure::QuantityRow& row : measure::quantity_rows())
+    for (const measure::MeasuredUnit& unit : measure::units_of(row.quantity))
+      names.push_back(fmt::format("{}_{}", row.name, unit.name));
   const auto meant = input::suggest(name, std::vector<std::string_view>(names.begin(), names.end()));
   throw ScenarioError("--measure " + input::excerpt(name, 80),
-                      fmt::format("unknown; allowed are azimuth, tilt, axis, drift_azimuth, drift_tilt, outer_angle and "
-                                  "inner_angle, each with _rad, _deg "
-                                  "or _arcsec, e.g. azimuth_deg; and rotor_rate_rad_s or rotor_rate_rpm{}",
+                      fmt::format("unknown; allowed are {}; e.g. azimuth_deg{}", measure::quantities_in_words(),
                                   meant ? fmt::format("; did you mean {}?", *meant) : ""));
 }
 
@@ -62,15 +61,29 @@ Measurement empty_measurement(const std::vector<PlannedQuantity>& quantities, co
 
 void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
   if (motion.end) throw ScenarioError("--until", measure::words_on_end(*motion.end) + "; end the measurement by then");
+  constexpr double kSame = 1e-9;
   std::size_t at = 0;
-  for (MeasuredValue& value : measurement.values) {
+  std::map<MeasuredQuantity, double> latest_s;  // of the features
+  for (std::size_t i = 0; i < measurement.values.size(); ++i) {
+    MeasuredValue& value = measurement.values[i];
     while (motion.axes[at].t_s < value.t_s) ++at;
     const Vec3<double>& n_M = motion.axes[at].n_M;
     value.axis_L = {n_M[0], n_M[1], n_M[2]};
-    const measure::PartQuantity* part = measure::part_quantity(value.quantity);
-    if (part != nullptr && !(motion.axes[at].*part->predicted))
+    const measure::QuantityRow& row = measure::row_of(value.quantity);
+    const bool is_value = row.feature == measure::Feature::value;
+    const double there = is_value ? motion.axes[at][value.quantity] : motion.features[i].value;
+    if (!std::string_view(row.missing).empty() && std::isnan(there))
       throw ScenarioError("--measure",
-                          fmt::format("{}: {}, or measure something else", to_string(value.quantity), part->missing));
+                          fmt::format("{}: at {:g} s, {}, or measure something else", row.name, value.t_s, row.missing));
+    if (is_value) continue;
+    const measure::PredictedFeature& feature = motion.features[i];
+    value.turns = feature.turns, value.extreme = feature.extreme;
+    const auto [seen, is_new] = latest_s.try_emplace(value.quantity, feature.t_s);
+    if (!is_new && row.feature != measure::Feature::period && !(feature.t_s > seen->second * (1 + kSame)))
+      throw ScenarioError("--every",
+                          fmt::format("two rows would measure the same {}, the one at {:.6g} s; take a longer one",
+                                      row.feature == measure::Feature::turning ? "turning point" : "passage", feature.t_s));
+    seen->second = feature.t_s;
   }
   std::vector<MeasurementResidual> residuals;
   try {
@@ -96,18 +109,14 @@ Overrides lasting(Overrides overrides, const Scenario& scenario, double until_s)
 }  // namespace plan
 
 PlannedQuantity planned_quantity(const std::string& name, double standard_error) {
-  std::string quantity, unit;
-  for (const MeasuredQuantity measured : measure::kAllMeasured)
-    for (const measure::MeasuredUnit& one : measure::units_of(measured))
-      if (name == fmt::format("{}_{}", to_string(measured), one.name)) quantity = to_string(measured), unit = one.name;
-  if (quantity.empty()) plan::refuse_quantity(name);
-  std::vector<std::string> header = {"t_s", name};
-  if (quantity == to_string(MeasuredQuantity::axis)) header = {"t_s", "axis_L_x", "axis_L_y", "axis_L_z"};
-  header.push_back(fmt::format("{}_se_{}", quantity, unit));
-  const measure::MeasurementColumns columns = measure::measurement_columns(header);
-  if (!(standard_error > 0) || !std::isfinite(standard_error) || !std::isfinite(1 / standard_error))
-    throw ScenarioError("--sigma", fmt::format("of {} must be above 0 ({})", name, unit));
-  return {name, columns.quantities[0].quantity, unit, columns.quantities[0].error_unit, standard_error};
+  for (const measure::QuantityRow& row : measure::quantity_rows())
+    for (const measure::MeasuredUnit& unit : measure::units_of(row.quantity)) {
+      if (name != fmt::format("{}_{}", row.name, unit.name)) continue;
+      if (!(standard_error > 0) || !std::isfinite(standard_error) || !std::isfinite(1 / standard_error))
+        throw ScenarioError("--sigma", fmt::format("of {} must be above 0 ({})", name, unit.name));
+      return {name, row.quantity, std::string(unit.name), unit.size, standard_error};
+    }
+  plan::refuse_quantity(name);
 }
 
 }  // namespace earthtop

@@ -2,6 +2,7 @@
 // Simulated measurements: the scenario's own motion with normal errors.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -11,6 +12,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/plan/plan.hpp"
 #include "measure/error_memory.hpp"
+#include "measure/quantities.hpp"
 #include "plan/planned_rows.hpp"
 #include "plan/preparation.hpp"
 
@@ -76,13 +78,24 @@ std::array<double, 3> turned(const std::array<double, 3>& n, double along_tilt, 
   return moved;
 }
 
-/// An azimuth within a turn from 0; a tilt of at most half a turn.
+/// An azimuth within a turn from 0, that of a plane within half of one; a tilt of at most half a turn.
 double as_read(MeasuredQuantity quantity, double angle) {
-  if (quantity == MeasuredQuantity::azimuth) {
-    const double within = std::fmod(angle, 2 * kPi);
-    return within < 0 ? within + 2 * kPi : within;
+  const double period = measure::row_of(quantity).period;
+  if (period > 0 && quantity != MeasuredQuantity::drift_azimuth) {
+    const double within = std::fmod(angle, period);
+    return within < 0 ? within + period : within;
   }
   return quantity == MeasuredQuantity::tilt && angle > kPi ? 2 * kPi - angle : angle;
+}
+
+bool is_of(const PlannedQuantity& quantity, measure::Feature feature) {
+  return measure::row_of(quantity.quantity).feature == feature;
+}
+
+/// Whether rows say which extreme a turning point is: one word a row, which belongs to one angle.
+bool names_extremes(const MeasurementPlan& plan) {
+  return std::ranges::count_if(plan.quantities,
+                               [](const PlannedQuantity& one) { return is_of(one, measure::Feature::turning); }) == 1;
 }
 
 std::string header(const MeasurementPlan& plan) {
@@ -91,6 +104,8 @@ std::string header(const MeasurementPlan& plan) {
     const std::string_view name = to_string(quantity.quantity);
     line += quantity.quantity == MeasuredQuantity::axis ? std::string(",axis_L_x,axis_L_y,axis_L_z") : "," + quantity.name;
     line += fmt::format(",{}_se_{}", name, quantity.unit);
+    if (names_extremes(plan) && is_of(quantity, measure::Feature::turning)) line += ",extreme";
+    if (is_of(quantity, measure::Feature::passage)) line += ",passage_turns";
   }
   return line + '\n';
 }
@@ -108,7 +123,7 @@ std::optional<std::string> simulated_measurement(const ScenarioSource& source,
   const std::vector<double> times_s = planned_times(plan.every_s, rows);
   const Scene scene = parse_scene(source, lasting(overrides, given.scenario(), *plan.until_s));
   Measurement measurement = empty_measurement(plan.quantities, times_s);
-  const measure::PredictedMotion motion = measure::predict(scene, times_s, measure::has_drifts(measurement), watch);
+  const measure::PredictedMotion motion = measure::predict(scene, measurement, watch);
   if (motion.status == RunStatus::interrupted) return std::nullopt;
   if (motion.status != RunStatus::completed)
     throw ScenarioError("--write-data", fmt::format("the scenario's motion ended with {}", to_string(motion.status)));
@@ -133,6 +148,9 @@ std::optional<std::string> simulated_measurement(const ScenarioSource& source,
         fmt::format_to(to, ",{}", as_read(quantity.quantity, value->value + first) / quantity.unit_size);
       }
       fmt::format_to(to, ",{}", quantity.standard_error);
+      if (names_extremes(plan) && is_of(quantity, measure::Feature::turning))
+        fmt::format_to(to, ",{}", value->extreme == Extreme::maximum ? "max" : "min");
+      if (is_of(quantity, measure::Feature::passage)) fmt::format_to(to, ",{}", value->turns);
     }
     csv += '\n';
   }

@@ -16,9 +16,8 @@ class CageRows {
   /// Turns both attitudes and rates to those of the cage, and adds the rotor. Its axis is that of the top; its rate and its angle are the
   /// same in both predictions.
   void complete(BasicDriftRow<T>& row) const {
-    const T angle = top_.beside_angle(row.t_s), rate = top_.beside_rate(row.t_s);
-    turn(angle, rate, row.q_LB, row.w_LB_B);
-    turn(angle, rate, row.ref_q_LB, row.ref_w_LB_B);
+    turn(row.t_s, row.q_LB, row.w_LB_B);
+    turn(row.t_s, row.ref_q_LB, row.ref_w_LB_B);
     BasicRotorRow<T>& rotor = row.rotor.emplace();
     rotor.rate_rad_s = rotor.ref_rate_rad_s = top_.rotor_rate(row.t_s);
     rotor.angle_rad = rotor.ref_angle_rad = top_.rotor_angle(row.t_s);
@@ -27,11 +26,10 @@ class CageRows {
   }
 
  private:
-  static void turn(const T& angle, const T& rate, std::array<T, 4>& q_LB, std::array<T, 3>& w_LB_B) {
-    const SinCos<T> half = real::sin_cos(T(angle / T(2))), whole = real::sin_cos(angle);
+  void turn(const T& t_s, std::array<T, 4>& q_LB, std::array<T, 3>& w_LB_B) const {
+    const SinCos<T> half = real::sin_cos(T(top_.beside_angle(t_s) / T(2)));
     q_LB = to_array(quaternion_of(q_LB) * Quaternion<T>{half.cos, Vec3<T>(T(0), T(0), half.sin)});
-    const auto [x, y, z] = w_LB_B;
-    w_LB_B = to_array(Vec3<T>(whole.cos * x + whole.sin * y, whole.cos * y - whole.sin * x, z + rate));
+    w_LB_B = to_array(top_.rate_of_cage(Vec3<T>(w_LB_B[0], w_LB_B[1], w_LB_B[2]), t_s));
   }
   CagedTop<T> top_;
 };

@@ -24,6 +24,11 @@ class CagedTop {
   /// The cage's rate beside that of the rigid top (rad/s), and the angle by which it has turned beside it (rad).
   T beside_rate(T t) const { return share_ * rotor_rate(t); }
   T beside_angle(T t) const { return share_ * rotor_angle(t); }
+  /// The cage's rate along its own axes, of the rigid top's along its own (rad/s).
+  Vec3<T> rate_of_cage(const Vec3<T>& w_B, T t) const {
+    const SinCos<T> turn = real::sin_cos(beside_angle(t));
+    return {turn.cos * w_B[0] + turn.sin * w_B[1], turn.cos * w_B[1] - turn.sin * w_B[0], w_B[2] + beside_rate(t)};
+  }
 
  private:
   const ReleaseSpec release_;

@@ -37,6 +37,8 @@ struct CompareArguments {
   std::vector<std::string> estimates, shared, sets;  // for a measurement, as are the next four
   std::string fitted;
   std::optional<double> correlation_time_s;
+  std::vector<std::string> columns, sigmas;
+  double time_offset_s = 0;
   bool priors = false, free_start = false, force = false;
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
@@ -131,8 +133,9 @@ void require_options_of_a_measurement(const CompareArguments& arguments) {
   if (other_options)
     throw ScenarioError(
         "",
-        "a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, --shared, "
-        "--priors, --free-start, --correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet");
+        "a measurement is compared with a scenario by its own standard errors: the only options are then --columns, --sigma, "
+        "--time-offset, --estimate, --shared, --priors, --free-start, --correlation-time, --write-scenario, --force, --set, "
+        "--svg, --json and --quiet");
   if (arguments.correlation_time_s && !(*arguments.correlation_time_s > 0))
     throw ScenarioError("", "--correlation-time must be above 0 (s); leave it out where errors are independent");
 }
@@ -140,6 +143,14 @@ void require_options_of_a_measurement(const CompareArguments& arguments) {
 int status_of(RunStatus status, bool agrees) {
   if (status != RunStatus::completed) return kNumericalFailure;
   return agrees ? kDone : kNegative;
+}
+
+/// How a measurement is to be read. @param listed  what a list of releases says of it, which goes first
+MeasurementFormat format_of(const CompareArguments& arguments, MeasurementFormat listed = {}) {
+  listed.columns.insert(listed.columns.end(), arguments.columns.begin(), arguments.columns.end());
+  listed.sigmas.insert(listed.sigmas.end(), arguments.sigmas.begin(), arguments.sigmas.end());
+  listed.time_offset_s += arguments.time_offset_s;
+  return listed;
 }
 
 /// Several releases, from the command line or from a list.
@@ -160,7 +171,8 @@ int releases_verb(const CompareArguments& arguments, const ListedReleases& list)
     Overrides overrides = split_sets(arguments.sets);
     for (auto& change : split_sets(listed.sets)) overrides.push_back(std::move(change));
     auto [source, changes] = given(listed.scenario, std::move(overrides), arguments.free_start);
-    releases.push_back({std::move(source), std::move(changes), read_measurement(listed.measurement), listed.estimates});
+    releases.push_back({std::move(source), std::move(changes),
+                        read_measurement(listed.measurement, format_of(arguments, listed.format)), listed.estimates});
   }
   const OrderlyEnd orderly;
   Progress progress;
@@ -199,7 +211,7 @@ int measurement_verb(const CompareArguments& arguments) {
       {{OutputKind::scenario, arguments.fitted, "--write-scenario"}, {OutputKind::measurement_picture, arguments.svg, "--svg"}},
       inputs, arguments.force);
   require_place_for_scenario(source, overrides, arguments);
-  const Measurement measurement = read_measurement(arguments.candidate);
+  const Measurement measurement = read_measurement(arguments.candidate, format_of(arguments));
   const MeasurementReport report = measure_watched(source, overrides, measurement, arguments);
   if (report.status == RunStatus::interrupted || report.fit == FitOutcome::interrupted)
     return report_interruption(arguments.json);
@@ -244,11 +256,12 @@ int compare_verb(CompareArguments& arguments) {
     throw ScenarioError("", "--shared belongs to several releases, each a scenario and a CSV file");
   if (!arguments.estimates.empty() || !arguments.sets.empty())
     throw ScenarioError("", "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file");
-  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.free_start)
-    throw ScenarioError(
-        "",
-        "--write-scenario, --correlation-time, --priors and --free-start belong to a measurement, where REFERENCE is a "
-        "scenario and NEW a CSV file");
+  if (!arguments.fitted.empty() || arguments.correlation_time_s || arguments.priors || arguments.free_start ||
+      !arguments.columns.empty() || !arguments.sigmas.empty() || arguments.time_offset_s != 0)
+    throw ScenarioError("",
+                        "--write-scenario, --correlation-time, --priors, --free-start, --columns, --sigma and --time-offset "
+                        "belong to a measurement, where REFERENCE is a "
+                        "scenario and NEW a CSV file");
   if (!arguments.reason.empty()) throw ScenarioError("", "--reason belongs to --update, which writes a new reference");
   OutputFiles files(
       {{OutputKind::verdicts, arguments.junit, "--junit"}, {OutputKind::comparison_picture, arguments.svg, "--svg"}},
@@ -294,6 +307,24 @@ Verb describe_compare() {
            "of the other estimates; may be repeated")
       .called("NAME")
       .with_commas();
+  compare
+      .add("--columns", &a.columns,
+           "for a measurement: what a column of the file is, e.g. phi=azimuth_deg or phi=azimuth_deg:mathematical; may be "
+           "repeated")
+      .called("NAME=COLUMN")
+      .with_commas();
+  compare
+      .add("--sigma", &a.sigmas,
+           "for a measurement without a column of standard errors: that of each value of a quantity, e.g. azimuth_deg=0.2; may "
+           "be "
+           "repeated")
+      .called("QUANTITY_UNIT=S")
+      .with_commas();
+  compare
+      .add("--time-offset", &a.time_offset_s,
+           "for a measurement: the time that its clock shows at the release (s); rows before it are left out")
+      .called("T")
+      .within(-1e9, 1e9);
   compare.add("--priors", &a.priors,
               "for a measurement: use what the scenario's uncertainty block says of the estimated numbers as prior knowledge");
   compare

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measurement_text.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "exact_inputs_text.hpp"
+#include "measure/quantities.hpp"
 #include "screen.hpp"
 #include "wrapped.hpp"
 
@@ -92,16 +94,20 @@ std::string residuals_text(const MeasurementReport& report) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
   order.resize(std::min(order.size(), kShown));
   std::sort(order.begin(), order.end());
-  const bool has_rates = std::ranges::any_of(report.residuals, [](const MeasurementResidual& residual) {
-    return residual.quantity == to_string(MeasuredQuantity::rotor_rate);
-  });
-  std::string text = fmt::format(
-      "\nResiduals{}, measured less predicted{}\n  {:>14}  {:<14} {:>13} {:>13} {:>12}\n",
-      report.fitted ? " after the fit" : "", report.residuals.size() > kShown ? fmt::format(": the {} largest", kShown) : "",
-      "t_s", "quantity", has_rates ? "rad or rad/s" : "residual_rad", has_rates ? "st. error" : "st_error_rad", "st. errors");
+  std::vector<std::string_view> units;
+  for (const MeasurementResidual& residual : report.residuals) {
+    const std::string_view unit = measure::spoken_unit(measure::row_of(residual.quantity).dimension);
+    if (std::ranges::find(units, unit) == units.end()) units.push_back(unit);
+  }
+  const bool are_angles = units == std::vector<std::string_view>{"rad"};
+  std::string text = fmt::format("\nResiduals{}, measured less predicted{}\n  {:>14}  {:<18} {:>13} {:>13} {:>12}\n",
+                                 report.fitted ? " after the fit" : "",
+                                 report.residuals.size() > kShown ? fmt::format(": the {} largest", kShown) : "", "t_s",
+                                 "quantity", are_angles ? "residual_rad" : fmt::format("{}", fmt::join(units, ", ")),
+                                 are_angles ? "st_error_rad" : "st. error", "st. errors");
   for (const std::size_t i : order) {
     const MeasurementResidual& r = report.residuals[i];
-    text += fmt::format("  {:>14.8g}  {:<14} {:>+13.4e} {:>13.4e} {:>+12.3f}\n", r.t_s, r.quantity, r.residual,
+    text += fmt::format("  {:>14.8g}  {:<18} {:>+13.4e} {:>13.4e} {:>+12.3f}\n", r.t_s, r.quantity, r.residual,
                         r.standard_error, r.normalised());
   }
   return text;

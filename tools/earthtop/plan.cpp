@@ -166,9 +166,8 @@ Verb describe_plan() {
       .required();
   plan.add("MORE", &a.others, "scenarios of further releases, which are measured alike and evaluated by one fit").json_file();
   plan.add("--measure", &a.quantities,
-           "what is measured: azimuth, tilt, axis, drift_azimuth, drift_tilt, outer_angle or inner_angle, with _rad, _deg or "
-           "_arcsec; or "
-           "rotor_rate with _rad_s or _rpm; may be repeated")
+           "what is measured: a quantity of a measurement with its unit, as azimuth_deg, spin_rpm, w_IB_B_x_rad_s, "
+           "azimuth_turning_deg or precession_period_s; may be repeated")
       .called("QUANTITY_UNIT")
       .required();
   plan.add("--sigma", &a.sigmas, "standard error of each value, in the quantity's unit; one for each --measure")

@@ -25,39 +25,90 @@ namespace earthtop {
 
 /// The quantities that can be measured: those of body axis 3, in the laboratory (East, North, Up): compass azimuth, clockwise from
 /// North seen from above; tilt from Up; the axis itself; and the drifts of azimuth and tilt, which are the motion on the
-/// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one. And the rate of a
-/// rotor relative to the body, as a tachometer in the frame reads it.
-enum class MeasuredQuantity { azimuth, tilt, axis, drift_azimuth, drift_tilt, rotor_rate, outer_angle, inner_angle };
+/// rotating Earth minus the non-rotating prediction, as one gets them from a measured motion and a calculated one. The rate of a
+/// rotor relative to the body, as a tachometer in the frame reads it, and the angles of gimbals. The body's spin, which is the component of
+/// its rate in the laboratory along body axis 3, and its rates along body axes, in the laboratory and inertial, as a gyroscope chip has them.
+/// The contact point of a top on a table. Of a pendulum the ellipse of its swing (closed_form/swing.hpp). Turning points: the extreme of an
+/// angle next to the row's time. And times: in which the axis's azimuth goes round once from the row's time on, and at which it has gone
+/// round a number of times since the release.
+enum class MeasuredQuantity {
+  azimuth,
+  tilt,
+  axis,
+  drift_azimuth,
+  drift_tilt,
+  rotor_rate,
+  outer_angle,
+  inner_angle,
+  spin,
+  w_LB_B_x,
+  w_LB_B_y,
+  w_LB_B_z,
+  w_IB_B_x,
+  w_IB_B_y,
+  w_IB_B_z,
+  tip_L_x,
+  tip_L_y,
+  swing_azimuth,
+  swing_major,
+  swing_minor,
+  azimuth_turning,
+  tilt_turning,
+  outer_angle_turning,
+  inner_angle_turning,
+  precession_period,
+  passage
+};
+inline constexpr std::size_t kMeasuredQuantities = 26;
 std::string_view to_string(MeasuredQuantity quantity);
+
+/// Which extreme a turning point is.
+enum class Extreme : std::uint8_t { either, maximum, minimum };
 
 struct MeasuredValue {
   MeasuredQuantity quantity = MeasuredQuantity::azimuth;
   double t_s = 0;                  ///< time since the release (s)
-  double value = 0;                ///< angle (rad), azimuths modulo 2 pi, or rate (rad/s); not used for an axis
+  double value = 0;                ///< in rad, azimuths modulo 2 pi; in rad/s, m or s; not used for an axis
   std::array<double, 3> axis_L{};  ///< for an axis: unit vector in laboratory axes
   double standard_error = 0;       ///< in the same unit; for an axis (rad): of each of the two components at right angles to it
   std::uint64_t line = 0;          ///< line number in the file
+  Extreme extreme = Extreme::either;  ///< of a turning point
+  double turns =
+      0;  ///< of a passage: how often the azimuth has gone round since the release; 0: as often as fits the time best
 };
 
 struct Measurement {
   std::string file;
-  std::uint64_t rows = 0;             ///< number of data lines
-  std::vector<MeasuredValue> values;  ///< in the file's order, which is that of ascending times
+  std::uint64_t rows = 0;               ///< number of data lines
+  std::vector<MeasuredValue> values;    ///< in the file's order, which is that of ascending times
+  std::vector<std::string> notes = {};  ///< on what was left out
 };
 
-/// Reads a CSV file with a header line. Columns, each with its unit in its name:
-///   t_s                                            since the release, starting at 0, ascending; several rows may have one time
+/// What has to be said of a file besides what its header says.
+struct MeasurementFormat {
+  /// What the file's columns are: "Time (s)=t_s", "phi=azimuth_deg"; with a word on the sense in which it is counted: "phi=azimuth_deg:mathematical".
+  /// A column that becomes `_` is left out.
+  std::vector<std::string> columns = {};
+  std::vector<std::string> sigmas =
+      {};                    ///< standard errors of all values of a quantity, instead of a column: "azimuth_deg=0.2"
+  double time_offset_s = 0;  ///< what the file's clock shows at the release; rows before it are left out
+};
+
+/// Reads a table with a header line. Columns, each with its unit in its name:
+///   t_s, t_ms or t_min                             since the release, ascending; several rows may have one time. Where only passages were
+///                                                  timed it may be left out
 ///   azimuth_rad, _deg or _arcsec                   with its standard error azimuth_se_rad, _deg or _arcsec
-///   tilt_*, drift_azimuth_*, drift_tilt_*          likewise
-///   rotor_rate_rad_s, _rpm                         likewise
-///   outer_angle_*, inner_angle_*                   likewise, of gimbals
+///   and so on for each quantity: angles in rad, deg or arcsec; rates in rad_s, rpm or deg_s; tip_L_x and _y in m or mm; times in s
 ///   axis_L_x, axis_L_y, axis_L_z                   unit vector, normalised here; with axis_se_*
-/// An empty cell was not measured; a measured value needs its standard error, above 0. Columns that begin with `_` are skipped.
-/// At most 200,000 rows.
+///   extreme                                        of turning points, max or min; without it the one next in time is meant
+///   passage_turns                                  of passages: how often the azimuth has gone round since the release
+/// An empty cell was not measured; a measured value needs its standard error, above 0. Commas, semicolons or tabs separate the cells; where
+/// no comma does, decimal signs may be commas. Lines that begin with # are comments. Columns with other names are left out, with a note;
+/// those that look like a slip in a known name are refused, unless they begin with `_`. At most 200,000 rows.
 /// @throws ScenarioError with what is wrong, where in the file, and what is allowed; ReadError
-Measurement read_measurement(const std::string& csv_file);
+Measurement read_measurement(const std::string& csv_file, const MeasurementFormat& format = {});
 /// The same of a text.   @param name  what it is called in messages and in the report
-Measurement parse_measurement(const std::string& name, std::string csv);
+Measurement parse_measurement(const std::string& name, std::string csv, const MeasurementFormat& format = {});
 
 /// One measured number and the predicted one. A measured axis gives two of these: `axis_tilt` and `axis_azimuth`. Their
 /// residuals are the components of the turn from the predicted to the measured axis along growing tilt and along growing
@@ -66,9 +117,9 @@ struct MeasurementResidual {
   double t_s = 0;
   std::uint64_t line = 0;
   std::string_view quantity;
-  double measured = 0;   ///< in rad, a rate in rad/s; so are the next three
+  double measured = 0;   ///< in rad, rad/s, m or s; so are the next three
   double predicted = 0;  ///< NaN for the azimuth of a vertical axis
-  double residual = 0;   ///< measured minus predicted; from -pi to pi for azimuths
+  double residual = 0;   ///< measured minus predicted; from -pi to pi for azimuths, half of that for a swing's plane
   double standard_error = 0;
   /// Where errors are correlated in time: what is new in the normalised residual beside those before it, in its own standard
   /// errors. These are independent of each other.
@@ -167,6 +218,8 @@ struct CurvePoint {
   double drift_azimuth_rad = 0, drift_tilt_rad = 0;  ///< NaN unless drifts were measured
   double rotor_rate_rad_s = 0;                       ///< NaN without a rotor
   double outer_angle_rad = 0, inner_angle_rad = 0;   ///< NaN without gimbals
+  std::vector<double> others =
+      {};  ///< by MeasuredQuantity, of those that were measured besides, else NaN; empty where none was
 };
 
 /// The wishes of the caller of a comparison.

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "earthtop/measure/measurement.hpp"
+
 namespace earthtop {
 
 /// One release as its file names it; paths are relative to the working directory.
@@ -13,6 +15,7 @@ struct ListedRelease {
   std::string measurement;             ///< empty where there is none yet, as for a plan
   std::vector<std::string> sets;       ///< "/json/pointer=value" pairs
   std::vector<std::string> estimates;  ///< names of numbers that are estimated for this release alone
+  MeasurementFormat format = {};       ///< what is said of its measurement
 };
 struct ListedReleases {
   std::vector<std::string> estimates;  ///< names of numbers that are estimated for each release

@@ -21,10 +21,16 @@ enum class InstrumentInput : std::uint8_t {
   inner_angle_zero,
   rotor_rate_bias,
   rotor_rate_scale,
+  spin_bias,
+  spin_scale,
+  w_x_bias,
+  w_y_bias,
+  w_z_bias,
+  w_scale,
   time_offset,
   clock_rate
 };
-inline constexpr std::size_t kInstrumentInputs = 11;
+inline constexpr std::size_t kInstrumentInputs = 17;
 
 struct InstrumentRow {
   std::string_view pointer;         ///< of the number
@@ -52,6 +58,14 @@ inline constexpr std::array<InstrumentRow, kInstrumentInputs> kInstrument = {
      "reading of a tachometer at rest"},
     {"/instrument/rotor_rate_scale", "/instrument/rotor_rate_scale_se", "", 1e-6, 1e6, "1", 0.1,
      "what a tachometer adds to that for a rad/s of the rotor"},
+    {"/instrument/spin_bias_rad_s", "/instrument/spin_bias_se_rad_s", "rad/s", -1e6, 1e6, "0", 1,
+     "reading of the tachometer of the body's spin where that is 0"},
+    {"/instrument/spin_scale", "/instrument/spin_scale_se", "", 1e-6, 1e6, "1", 0.1, "what it adds to that for a rad/s"},
+    {"/instrument/w_x_bias_rad_s", "/instrument/w_x_bias_se_rad_s", "rad/s", -1e6, 1e6, "0", 0.1,
+     "reading of a gyroscope chip about body axis 1 at rest; of w_IB_B_x and w_LB_B_x"},
+    {"/instrument/w_y_bias_rad_s", "/instrument/w_y_bias_se_rad_s", "rad/s", -1e6, 1e6, "0", 0.1, "the same about axis 2"},
+    {"/instrument/w_z_bias_rad_s", "/instrument/w_z_bias_se_rad_s", "rad/s", -1e6, 1e6, "0", 0.1, "the same about axis 3"},
+    {"/instrument/w_scale", "/instrument/w_scale_se", "", 1e-6, 1e6, "1", 0.1, "what all three add to that for a rad/s"},
     {"/instrument/time_offset_s", "/instrument/time_offset_se_s", "s", -1e9, 1e9, "0", 0.1,
      "reading of the clock at the release; before it, the top is held as it is released"},
     {"/instrument/clock_rate", "/instrument/clock_rate_se", "", 1e-3, 1e3, "1", 0.01,
@@ -79,8 +93,9 @@ constexpr std::string_view instrument_key(std::string_view pointer) { return poi
 
 /// The numbers of an instrument, and the standard errors with which they are known beforehand.
 struct Instrument {
-  std::array<double, kInstrumentInputs> value{0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1};  ///< each in the unit of its row
-  std::array<double, kInstrumentInputs> standard_error{};                        ///< 0: not stated
+  std::array<double, kInstrumentInputs> value{0, 0, 0, 0, 0, 0, 0, 0, 1,
+                                              0, 1, 0, 0, 0, 1, 0, 1};  ///< each in the unit of its row
+  std::array<double, kInstrumentInputs> standard_error{};               ///< 0: not stated
   std::array<bool, kInstrumentScales> reversed{};
 
   bool operator==(const Instrument&) const = default;

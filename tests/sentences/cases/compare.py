@@ -592,8 +592,8 @@ OF_UPDATES = [
 
 MEASURED = {"m.csv": "t_s,azimuth_rad,azimuth_se_rad\n1,0.1,0.01\n", "there.json": "{}"}
 WITH = "compare s.json m.csv "
-OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --estimate, "
-                 "--shared, --priors, --free-start, "
+OTHER_OPTIONS = ("a measurement is compared with a scenario by its own standard errors: the only options are then --columns, "
+                 "--sigma, --time-offset, --estimate, --shared, --priors, --free-start, "
                  "--correlation-time, --write-scenario, --force, --set, --svg, --json and --quiet")
 
 
@@ -620,7 +620,7 @@ OF_OPTIONS = [
         "--estimate and --set belong to a measurement, where REFERENCE is a scenario and NEW a CSV file", both(), 2,
         command=f"{PAIR} {option}")],
     *[case for option in ("--write-scenario x.json", "--correlation-time 1", "--priors") for case in told(
-        "--write-scenario, --correlation-time, --priors and --free-start belong to a measurement, where REFERENCE is a scenario and NEW a CSV file",
+        "--write-scenario, --correlation-time, --priors, --free-start, --columns, --sigma and --time-offset belong to a measurement, where REFERENCE is a scenario and NEW a CSV file",
         both(), 2, command=f"{PAIR} {option}")],
     *told("pictures/: error: is not the name of a file; give the name of a file", both(), 2, command=PAIR + " --svg pictures/"),
     *told("plain: error: is not a directory; give the name of a file in one", {**both(), "plain": "a file"}, 2,

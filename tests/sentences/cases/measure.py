@@ -12,6 +12,7 @@ SHORT = {"/motion": {"duration_s": 2}, "/headline": None}  # of the toy top
 TILTS = "t_s,tilt_deg,tilt_se_deg\n0,20,0.1\n1,20.1,0.1\n2,20,0.1\n"
 AZIMUTHS = "t_s,azimuth_deg,azimuth_se_deg\n0,90,0.01\n10,90.02,0.01\n30,90.09,0.01\n60,90.177,0.01\n"
 ONE_STEP = {"/numerics": {"method": "gauss", "step_s": 1}, "/motion/output_step_s": 1}  # too long a step for the toy top
+NO_NUTATION = {"/earth": {"rotation_rate_rad_s": 0}, "/release/precession": "steady_slow"}
 NO_PRECESSION = {"/release/precession": "steady_slow"}  # it needs equal moments I1 and I2
 
 
@@ -101,13 +102,61 @@ AXES = "t_s,axis_L_x,axis_L_y,axis_L_z,axis_se_deg,drift_azimuth_deg,drift_azimu
 
 CASES = [
     # files of measured values
-    compared("", "there is no column t_s, the time since the release (s)", "tilt_deg,tilt_se_deg\n20,1\n", status=2),
+    compared("", "there is no column t_s, t_ms or t_min, the time since the release; if it has another name, say --columns NAME=t_s",
+             "tilt_deg,tilt_se_deg\n20,1\n", status=2),
     compared("", "m.csv:2:1: error: there is no measured value; a row needs a time, a value and its standard error",
              "t_s,tilt_deg,tilt_se_deg\n0,,\n", status=2),
     compared("", "m.csv:200002:1: error: more than 200000 rows; average neighbouring ones",
              "t_s,tilt_deg,tilt_se_deg\n" + "0,20,1\n" * 200_001, status=2),
     Case("report m.json", "is not as this program writes it; write it anew (not a measured quantity: "
          "speed)", scenario=None, files={"m.json": document("speed")}, status=2),
+
+    # tables as instruments write them
+    compared("--columns a=tilt_deg", "--columns a: is tilt_deg then, as \"tilt_deg\" is; keep one", "t_s,tilt_deg,a\n0,20,1\n", status=2),
+    compared("--sigma tilt_deg=1 --sigma tilt_rad=1", "--sigma tilt_rad=1: tilt_deg=1 is given, too; keep one", TILTS, status=2),
+    compared("", "columns t_s and t_ms both give the time; keep one", "t_s,t_ms,tilt_deg,tilt_se_deg\n0,0,20,1\n", status=2),
+    compared("--sigma tilt_deg=1", "--sigma tilt_deg=1: column tilt_se_deg gives standard errors; leave one of them out", TILTS, status=2),
+    compared("", "extreme is given without a turning point, as azimuth_turning_deg", "t_s,tilt_deg,tilt_se_deg,extreme\n0,20,1,max\n",
+             status=2),
+    compared("", "passage_turns is given without passage_s", "t_s,tilt_deg,tilt_se_deg,passage_turns\n0,20,1,1\n", status=2),
+    compared("--columns tilt_deg=tilt_deg:mathematical",
+             'tilt_deg is not counted as "mathematical"; allowed are elevation, from_down, reversed', TILTS, status=2),
+    compared("--columns t_s=t_s:reversed", "t_s has no other sense; leave out what follows the colon", TILTS, status=2),
+    compared("--time-offset 5", ["m.csv:4:1: error: all rows are before the release, which --time-offset puts at 5 s"], TILTS, status=2),
+    compared("--time-offset 0.5", "1 row is left out: before the release, 0.5 s by the clock of the file", TILTS, status=1),
+    compared("", "the numbers of line 2 a decimal comma; write all with the same sign, and no sign between thousands",
+             "t_s;tilt_deg;tilt_se_deg\n0;20,0;0,1\n1;20.1;0,1\n", status=2),
+    compared("", 'columns not read: "temperature", "humidity"', "t_s,temperature,tilt_deg,tilt_se_deg,humidity\n0,20,20,1,50\n"),
+    compared("", "t_s must be a number from 0, the release, to 1e+09 (s); if the clock shows another time at the release, say "
+             "--time-offset T", "t_s,tilt_deg,tilt_se_deg\n-1,20,1\n", status=2),
+    compared("", "must be a time above 0, and at most 1e+09 (s), after the release", "passage_s,passage_se_s\n-1,1\n", status=2),
+    compared("--columns tilt_deg=tip_L_x_m,tilt_se_deg=tip_L_x_se_m",
+             "tip_L_x was measured, and the top does not stand on a table; give it /contact, or leave the column out", TILTS, status=2),
+    compared("--columns tilt_deg=tilt_turning_deg,tilt_se_deg=tilt_turning_se_deg",
+             "tilt_turning was measured at 0 s, and there is no turning point near this time, or leave the row out", TILTS, status=2,
+             set=NO_NUTATION),
+    compared("", "precession_period was measured, and the azimuth of the axis does not go round within sixteen times that time, or leave "
+             "the column out", "t_s,precession_period_s,precession_period_se_s\n0,1e-3,1\n", status=2),
+    compared("--columns tilt_deg=swing_major_deg,tilt_se_deg=swing_major_se_deg",
+             "swing_major was measured, and only a symmetric body on a pivot that swings below it, and does not go round in a circle, has "
+             "such an ellipse, or leave the column out", TILTS, status=2),
+    *[Case(f"compare s.json m.csv --svg p.svg --sigma {column}=0.001", spoken, scenario=scenario, page="p.svg", status=1,
+           files={"m.csv": f"t_s,{column}\n0.5,1\n1,1\n"}, set={"/headline": None, "/criteria": None})
+      for scenario, column, spoken in (
+          ("toy-top", "spin_rad_s", "Spin"), ("toy-top", "w_LB_B_x_rad_s", "Rate about body axis 1, in the laboratory"),
+          ("toy-top", "w_LB_B_y_rad_s", "Rate about body axis 2, in the laboratory"),
+          ("toy-top", "w_LB_B_z_rad_s", "Rate about body axis 3, in the laboratory"),
+          ("toy-top", "w_IB_B_x_rad_s", "Inertial rate about body axis 1"),
+          ("toy-top", "w_IB_B_y_rad_s", "Inertial rate about body axis 2"),
+          ("toy-top", "w_IB_B_z_rad_s", "Inertial rate about body axis 3"),
+          ("toy-top", "tilt_turning_deg", "Turning point in tilt"), ("toy-top", "azimuth_turning_deg", "Turning point in azimuth"),
+          ("toy-top", "precession_period_s", "Time of a turn of the axis"), ("toy-top", "passage_s", "Time of a passage"),
+          ("toy-top-on-table", "tip_L_x_m", "Tip to East"), ("toy-top-on-table", "tip_L_y_m", "Tip to North"),
+          ("foucault-pendulum", "swing_azimuth_deg", "Azimuth of the swing's plane"),
+          ("foucault-pendulum", "swing_major_deg", "Major semi-axis of the swing"),
+          ("foucault-pendulum", "swing_minor_deg", "Minor semi-axis of the swing"),
+          ("gyrotheodolite", "outer_angle_turning_deg", "Turning point of the outer gimbal"),
+          ("through-gimbal-lock", "inner_angle_turning_deg", "Turning point of the inner gimbal"))],
 
     # what can be estimated
     compared("--estimate tilt_deg --estimate spin_rad_s --estimate gravity_m_s2 --estimate latitude_deg --estimate inertia_ratio "
@@ -250,12 +299,13 @@ CASES = [
     listed('{"shared": 3, "releases": [{"scenario": "s.json"}]}', '/shared: must be an array of names, e.g. ["spin_rad_s"]', status=2),
     listed('{"releases": [{"scenario": "s.json"}]}', 'the release of s.json has no measurement; add "measurement"', status=2,
            holds=lambda text: "release list" not in text),
-    listed('{"releases": [{"scenario": "s.json", "mass": 1}]}', "/releases/0/mass: unknown key; allowed here: scenario, measurement, set, estimate",
+    listed('{"releases": [{"scenario": "s.json", "mass": 1}]}', "/releases/0/mass: unknown key; allowed here: scenario, measurement, columns, sigma, time_offset_s, set, estimate",
            status=2),
     Case("schema --releases --markdown", [
         "what was measured", "names of numbers that are estimated for each release, as --estimate takes them",
         "names of numbers that are estimated and have one value in all releases", "its scenario: a file, its path relative to this one",
         "what was measured: a CSV file, its path relative to this one; not needed for a plan",
+        'what its columns are, as --columns takes it, e.g. ["phi=azimuth_deg"]', 'standard errors, as --sigma takes them, e.g. ["azimuth_deg=0.2"]',
         'changes to its scenario, e.g. ["/release/spin_rpm=-2400"]', "names of numbers that are estimated for this release alone"]),
     Case("schema --releases", ["version of this format", "Releases of a top and their measurements, which one fit evaluates."]),
 
@@ -355,6 +405,12 @@ CASES = [
          files={"list.json": '{"releases": [{"scenario": "s.json"}, {"scenario": "s.json", "set": ["/motion/duration_s=3"]}]}'}),
 
     # what is no plan
+    planned("--measure azimut_deg --sigma 1 --every 1", ["--measure azimut_deg: unknown; allowed are azimuth, tilt, ",
+            "passage with _s; e.g. azimuth_deg; did you mean azimuth_deg?"], status=2),
+    planned("--measure tilt_deg --sigma 1 --every 1e-9 --until 1", "--every: 1e-09 s makes more than 200000 rows in 1 s; take a longer one", status=2),
+    planned("--measure tilt_turning_deg --sigma 1 --every 0.01 --estimate tilt_deg",
+            "--every: two rows would measure the same turning point, the one at ", scenario="toy-top", status=2,
+            set={"/release/precession": "none"}),
     planned("--optimise /site/gravity_m_s2=1:2 --optimise /site/gravity_m_s2=1:3", "--optimise /site/gravity_m_s2: is given twice",
             status=2),
     planned("--optimise /platform/rate_rad_s=1:2",

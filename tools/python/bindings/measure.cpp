@@ -17,12 +17,13 @@ using Given = std::tuple<std::string, std::string, Overrides>;
 
 ScenarioSource source_of(const Given& given) { return {std::get<0>(given), std::get<1>(given)}; }
 
-/// Data as Python has them: a file; or a name and a text.
-using Data = std::tuple<std::string, std::optional<std::string>>;
+/// Data as Python has them: a file, or a name and a text; what the columns are, the standard errors, and the clock at the release.
+using Data = std::tuple<std::string, std::optional<std::string>, std::vector<std::string>, std::vector<std::string>, double>;
 
 Measurement measurement_of(const Data& data) {
-  const auto& [name, text] = data;
-  return text ? parse_measurement(name, *text) : read_measurement(name);
+  const auto& [name, text, columns, sigmas, time_offset_s] = data;
+  const MeasurementFormat format{columns, sigmas, time_offset_s};
+  return text ? parse_measurement(name, *text, format) : read_measurement(name, format);
 }
 
 struct Fit {

@@ -120,14 +120,15 @@ def report_file(what: _Path) -> Path: ...
 # Measurements
 
 _Given = Tuple[str, str, _Overrides]
+_Data = Tuple[str, Optional[str], Sequence[str], Sequence[str], float]
 _Quantities = Sequence[Tuple[str, float]]
 
 def fit(
-    scenario: _Given, data: Tuple[str, Optional[str]], estimates: Sequence[str], priors: bool, correlation_time_s: float,
+    scenario: _Given, data: _Data, estimates: Sequence[str], priors: bool, correlation_time_s: float,
     free_start: bool, on_progress: _OnProgress,
 ) -> Tuple[str, str, str, Optional[str]]: ...
 def fit_releases(
-    releases: Sequence[Tuple[_Given, Tuple[str, Optional[str]]]], estimates: Sequence[str], shared: Sequence[str], priors: bool,
+    releases: Sequence[Tuple[_Given, _Data]], estimates: Sequence[str], shared: Sequence[str], priors: bool,
     correlation_time_s: float, on_progress: _OnProgress,
 ) -> str: ...
 def plan(

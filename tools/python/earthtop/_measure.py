@@ -209,8 +209,8 @@ class ReleasesFit(_Fitted):
 def _residuals_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
     """The table of the residuals of one release."""
     numbers = ("measured", "predicted", "residual", "standard_error")
-    rows = [{**one, **{f"{name}_rad": one[f"{name}_rad_s"] for name in numbers if f"{name}_rad_s" in one}}
-            for one in document["residuals"]]
+    rows = [{**one, **{f"{name}_rad": one[f"{name}_{unit}"] for name in numbers for unit in ("rad_s", "m", "s")
+                       if f"{name}_{unit}" in one}} for one in document["residuals"]]
     frame = table(rows, ["quantity", "line"],
                   ["t_s", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad", "normalised"],
                   order=["t_s", "quantity", "line", "measured_rad", "predicted_rad", "residual_rad", "standard_error_rad",
@@ -221,7 +221,8 @@ def _residuals_of(document: Mapping[str, Any]) -> "pandas.DataFrame":
 
 
 def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: bool = False, correlation_time_s: float = 0,
-        free_start: bool = False, changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Fit:
+        free_start: bool = False, columns: Optional[Mapping[str, str]] = None, sigma: Optional[Mapping[str, float]] = None,
+        time_offset_s: float = 0, changes: Optional[Mapping[str, Any]] = None, progress: Progress = None) -> Fit:
     """Compares a measured motion with a scenario, and fits numbers of the scenario to it by weighted least squares.
 
     Parameters
@@ -230,9 +231,10 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
         where the fit starts
     data : pandas.DataFrame, mapping of arrays, path of a CSV file, or CSV text
         columns, each with its unit in its name: ``t_s`` (since the release, ascending); ``azimuth_deg`` with its standard error
-        ``azimuth_se_deg``, likewise ``tilt``, ``drift_azimuth`` and ``drift_tilt``, in ``_rad``, ``_deg`` or ``_arcsec``; or
-        the unit vector ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured; names that
-        begin with ``_`` are passed over.
+        ``azimuth_se_deg``, likewise any quantity that ``earthtop compare`` takes, as ``tilt_deg``, ``spin_rpm``,
+        ``w_IB_B_x_rad_s``, ``swing_azimuth_deg``, ``azimuth_turning_deg`` or ``precession_period_s``; or the unit vector
+        ``axis_L_x``, ``axis_L_y``, ``axis_L_z`` with ``axis_se_deg``. NaN is what was not measured; names that begin with ``_``
+        are passed over, and other ones are named in a note.
     estimate : str or sequence of str
         numbers to be fitted: ``"omega_sin_latitude_rad_s"`` (the vertical part of the Earth's rate),
         ``"omega_cos_latitude_rad_s"``, ``"spin_rad_s"``, ``"tilt_deg"``, ``"latitude_deg"``, ``"gravity_m_s2"``,
@@ -244,6 +246,12 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
         errors of a quantity are correlated by exp(-dt / T) in time (s); 0: independent
     free_start : bool
         the data begin after the release: the motion starts at the first row, with estimated attitude and rates
+    columns : mapping, optional
+        what columns with other names are: ``{"Time (s)": "t_s", "phi": "azimuth_deg:mathematical"}``
+    sigma : mapping, optional
+        standard errors of all values of a quantity, in place of a column: ``{"azimuth_deg": 0.2}``
+    time_offset_s : float
+        what the clock of the data shows at the release (s); rows before it are left out
     changes : mapping, optional
         other values of the scenario, by key
     progress : bool or callable, optional
@@ -264,11 +272,13 @@ def fit(scenario: ScenarioLike, data: "Data", estimate: Names = (), *, priors: b
     time_s = _correlation_time_s(correlation_time_s)
     given = parts_of(as_scenario(scenario).changed(changes))
     with errors_named(), Reporter(progress) as reporter:
-        return Fit(_core.fit(given, _text_of(data), names_of(estimate), priors, time_s, bool(free_start), reporter), given)
+        read = _data_of(data, columns, sigma, time_offset_s)
+        return Fit(_core.fit(given, read, names_of(estimate), priors, time_s, bool(free_start), reporter), given)
 
 
 def fit_releases(releases: "Sequence[Tuple[ScenarioLike, Data]]", estimate: Names = (), *, shared: Names = (),
-                 priors: bool = False, correlation_time_s: float = 0, progress: Progress = None) -> ReleasesFit:
+                 priors: bool = False, correlation_time_s: float = 0, columns: Optional[Mapping[str, str]] = None,
+                 sigma: Optional[Mapping[str, float]] = None, time_offset_s: float = 0, progress: Progress = None) -> ReleasesFit:
     """Compares several releases with their scenarios, and fits numbers to all of them at once.
 
     Parameters
@@ -283,6 +293,8 @@ def fit_releases(releases: "Sequence[Tuple[ScenarioLike, Data]]", estimate: Name
         what the scenarios' ``uncertainty`` says of the estimated numbers enters the fit; of a shared number it is one datum
     correlation_time_s : float
         errors of a quantity are correlated by exp(-dt / T) in time (s); 0: independent
+    columns, sigma, time_offset_s
+        as for ``earthtop.fit``, of all data
     progress : bool or callable, optional
         as of ``earthtop.run``
 
@@ -296,7 +308,7 @@ def fit_releases(releases: "Sequence[Tuple[ScenarioLike, Data]]", estimate: Name
         for a scenario, a name or data that are refused
     """
     time_s = _correlation_time_s(correlation_time_s)
-    given = [(parts_of(as_scenario(scenario)), _text_of(data)) for scenario, data in releases]
+    given = [(parts_of(as_scenario(scenario)), _data_of(data, columns, sigma, time_offset_s)) for scenario, data in releases]
     with errors_named(), Reporter(progress) as reporter:
         return ReleasesFit(_core.fit_releases(given, names_of(estimate), names_of(shared), priors, time_s, reporter))
 
@@ -345,8 +357,8 @@ def simulate_measurement(scenario: ScenarioLike, measure: Mapping[str, float], *
         when = times(every_s, until_s, correlation_time_s)
         text = _core.simulated_measurement(given, measured(measure), *when, seed, reporter)
     lines = text.splitlines()
-    rows = np.array([[float(cell) for cell in row] for row in csv.reader(lines[2:])])
-    frame = pandas.DataFrame(rows, columns=lines[1].split(","))
+    frame = pandas.read_csv(io.StringIO("\n".join(lines[1:])), float_precision="round_trip")
+    frame = frame.astype({name: float for name in frame.columns if name != "extreme"})
     frame.attrs["origin"] = lines[0].lstrip("# ")
     return frame
 
@@ -362,6 +374,17 @@ def times(every_s: float, until_s: Optional[float], correlation_time_s: float) -
     """The times of a plan (s)."""
     until = None if until_s is None else number(until_s, "until_s")
     return number(every_s, "every_s"), until, number(correlation_time_s, "correlation_time_s")
+
+
+def _data_of(data: "Data", columns: Optional[Mapping[str, str]], sigma: Optional[Mapping[str, float]],
+             time_offset_s: float) -> Tuple[str, Optional[str], List[str], List[str], float]:
+    """Data with what is said of them."""
+    for given, example in ((columns, "columns={'phi': 'azimuth_deg'}"), (sigma, "sigma={'azimuth_deg': 0.2}")):
+        if given is not None and not isinstance(given, Mapping):
+            raise refuse(f"name each by its column: {example}")
+    renamed = [f"{name}={column}" for name, column in (columns or {}).items()]
+    errors = [f"{name}={number(error, f'the standard error of {name}')!r}" for name, error in (sigma or {}).items()]
+    return (*_text_of(data), renamed, errors, number(time_offset_s, "time_offset_s"))
 
 
 def _text_of(data: "Data") -> Tuple[str, Optional[str]]:
