@@ -198,6 +198,35 @@ struct ContactReport {
   ContactBalances rotating{}, reference{};
 };
 
+/// A number with a bound on its error.
+struct BoundedNumber {
+  double value = 0;
+  double bound = 0;
+};
+/// The same number in both motions.
+struct BoundedPair {
+  BoundedNumber rotating, reference;
+};
+
+/// What a run tells of the motions themselves.
+struct MotionReport {
+  BoundedPair spin_end_rad_s;  ///< component of the rate in the laboratory along body axis 3, in the last row
+  /// When spin and tilt first come to the values that the scenario names (s); none in a motion that does not. Where the error may keep the
+  /// motion from it, or bring it there, it is not sure, and has no bound.
+  struct Reached {
+    std::optional<double> rotating_s, reference_s;
+    std::optional<double> rotating_bound_s, reference_bound_s;
+    bool rotating_is_sure = true, reference_is_sure = true;
+  };
+  std::optional<Reached> spin, tilt;
+  /// The ellipse of a pendulum's swing (closed_form/swing.hpp). Azimuths of planes are counted clockwise.
+  struct OfSwing {
+    BoundedPair major_start_rad, minor_start_rad, major_end_rad, minor_end_rad;
+    BoundedPair plane_rate_rad_s;  ///< mean rate of the plane in the laboratory; of the reference: the apsidal rate
+  };
+  std::optional<OfSwing> swing;
+};
+
 /// States whether the requested error was reached, counting both the error bound and the effects left out.
 struct AccuracyReport {
   double asked_rad = 0;
@@ -249,6 +278,7 @@ struct RunResult {
   std::optional<SensitivityReport> sensitivities;  ///< present if the scenario requests them
   std::optional<LedgerReport> ledger;              ///< present if the scenario requests one
   std::vector<std::string> notes;                  ///< e.g. that a scene is non-physical
+  std::optional<MotionReport> motion;              ///< none without a row after the release
 };
 
 /// Returns whether there is a row after the release; without one nothing is known about the drift.

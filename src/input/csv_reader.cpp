@@ -41,8 +41,6 @@ bool has_decimal_comma(std::string_view cell) {
   return cell_number(text).is_number;
 }
 
-constexpr std::string_view kPointHint = "; write decimal points: 0.1, not 0,1";
-
 /// Parses a cell. @returns whether it is a number, a word for one (nan, inf), or empty
 bool parse(std::string_view cell, double& number, CellKind& kind) {
   number = std::numeric_limits<double>::quiet_NaN();
@@ -129,8 +127,8 @@ bool CsvReader::next() {
       numbers_[i] = static_cast<double>(word - words_[i].begin());
       kinds_[i] = CellKind::number;
     } else if (!parse_number(cell, numbers_[i], kinds_[i]))
-      refuse(fmt::format("column {}: \"{}\" is not a number{}", excerpt(header_[wanted_[i]]), excerpt(cell),
-                         has_decimal_comma(cell) ? kPointHint : "; write it as 0.1 or 1e-5, without a unit"),
+      refuse(fmt::format("column {}: \"{}\" is not a number; write it as 0.1 or 1e-5, without a unit",
+                         excerpt(header_[wanted_[i]]), excerpt(cell)),
              static_cast<std::size_t>(cell.data() - whole_.data()) + 1);
   }
   return true;

@@ -12,9 +12,9 @@
 namespace earthtop::measure {
 namespace {
 
-constexpr double kLooksATurn = 64, kLooksATurningPoint = 32;  // between a feature and the next
+constexpr double kLooksATurn = 32, kLooksATurningPoint = 16;  // between a feature and the next
 constexpr double kMostLooks = 100'000;
-constexpr int kLooksInside = 64;     // between two looks that have a feature between them
+constexpr int kLooksInside = 24;     // between two looks that have a feature between them
 constexpr double kFarthest = 16;     // times the measured time after which a turn is not looked for any longer
 constexpr double kRounding = 1e-11;  // of the body's rate: an angle that changes more slowly does not turn
 constexpr double kFollowed = 2.5;    // of an azimuth from one look to the next (rad): more may be less, the other way round

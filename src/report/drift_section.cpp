@@ -65,6 +65,37 @@ std::string trend_of(const Run& run) {
   return html;
 }
 
+/// When spin and tilt come to the values asked for, the spin that is left, and a pendulum's swing.
+std::string motion_of(const Run& run) {
+  std::string html;
+  const auto with_bound = [&](const std::string& value, const std::string& bound, const char* unit) {
+    return known_html(run.number(value).value_or(kNoNumber), run.number(bound).value_or(kNoNumber), unit);
+  };
+  const auto start = run.number("/top/spin_rad_s"), left = run.number("/motion/spin_final_rad_s");
+  constexpr double kTold = 1e-3;  // of the spin
+  if (start && left && std::abs(*left - *start) > kTold * std::abs(*start))
+    html += fmt::format("<p>At the end the spin is {}.</p>\n",
+                        with_bound("/motion/spin_final_rad_s", "/motion/spin_final_bound_rad_s", "rad/s"));
+  for (const char* what : {"spin", "tilt"}) {
+    if (!run.results.summary->contains(Json::json_pointer(fmt::format("/motion/{}_reached_s", what)))) continue;
+    const std::string pointer = fmt::format("/motion/{}_reached", what);
+    html += !run.results.summary->value(Json::json_pointer(pointer + "_is_sure"), true)
+                ? fmt::format("<p>Within its error the {} asked for may be reached or not.</p>\n", what)
+            : run.number(pointer + "_s") ? fmt::format("<p>The {} asked for is reached at {}.</p>\n", what,
+                                                       with_bound(pointer + "_s", pointer + "_bound_s", "s"))
+                                         : fmt::format("<p>The {} asked for is not reached.</p>\n", what);
+  }
+  if (run.number("/motion/swing/plane_rate_rad_s"))
+    html += fmt::format(
+        "<p>The plane of the swing turns by {}, clockwise seen from above; without the Earth it would by {}. Its semi-axes are "
+        "{} and {} at the end.</p>\n",
+        with_bound("/motion/swing/plane_rate_rad_s", "/motion/swing/plane_rate_bound_rad_s", "rad/s"),
+        with_bound("/motion/swing/apsidal_rate_rad_s", "/motion/swing/apsidal_rate_bound_rad_s", "rad/s"),
+        with_bound("/motion/swing/major_end_rad", "/motion/swing/major_end_bound_rad", "rad"),
+        with_bound("/motion/swing/minor_end_rad", "/motion/swing/minor_end_bound_rad", "rad"));
+  return html;
+}
+
 /// When the drift passes the requested threshold, and when motions come to rest.
 std::string events_of(const Run& run) {
   const auto time = [](double t_s, const std::optional<double>& bound_s) {
@@ -87,7 +118,7 @@ std::string events_of(const Run& run) {
     html += fmt::format("<p>The {} prediction comes to rest at {}.</p>\n",
                         run.word(fmt::format("/stops/{}/prediction", i)) == "rotating" ? "rotating" : "non-rotating",
                         time(*stop, run.number(fmt::format("/stops/{}/bound_s", i))));
-  return html;
+  return html + motion_of(run);
 }
 
 }  // namespace

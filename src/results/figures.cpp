@@ -16,6 +16,7 @@
 #include "earthtop/scenario/support.hpp"
 #include "results/contact_members.hpp"
 #include "results/member_entries.hpp"
+#include "results/motion_members.hpp"
 #include "results/sensitivity_members.hpp"
 #include "results/top_members.hpp"
 #include "scenario/quantities.hpp"
@@ -104,11 +105,13 @@ constexpr auto kFirstMembers = [] {
   };
 }();
 
-constexpr auto kDriftMembers = [] {
-  using enum FigureKind;
-  using enum FigureScope;
-  using MemberForm::document, MemberForm::vector;
-  return std::array{
+constexpr auto
+    kDriftMembers =
+        [] {
+          using enum FigureKind;
+          using enum FigureScope;
+          using MemberForm::document, MemberForm::vector;
+          return std::array{
       of_rows(object("drift")),
       of_last_row("drift_axis_rad",
                   compared("drift.axis_final_rad", drift_axis, end, kAtEnd, [](R r) { return r.drift.axis_final_rad; })),
@@ -245,7 +248,14 @@ constexpr auto kDriftMembers = [] {
       compared(
           "motion.axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).axis_L; }, vector),
       compared(
-          "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).ref_axis_L; }, vector),
+          "motion.reference_axis_mean_L", attitude, rows, kFromRows, [](R r) { return axis_means(r).ref_axis_L; }, vector)};
+        }();
+
+constexpr auto kRotorMembers = [] {
+  using enum FigureKind;
+  using enum FigureScope;
+  using MemberForm::document, MemberForm::vector;
+  return std::array{
       // The rotor of a gyrostat, on the rotating Earth: its rate relative to the body, and its angle since the release.
       object_or_nothing("rotor", [](R r) { return !r.rows.empty() && r.rows.front().rotor; }),
       compared("rotor.rate_initial_rad_s", derived, any, kAtEnd,
@@ -402,8 +412,8 @@ constexpr auto kLastMembers = [] {
   };
 }();
 
-constexpr auto kMembers = joined(kFirstMembers, kTopMembers, kDriftMembers, kContactMembers, kContactBalanceMembers,
-                                 kSolutionMembers, kSensitivityMembers, kLastMembers);
+constexpr auto kMembers = joined(kFirstMembers, kTopMembers, kDriftMembers, kMotionMembers, kRotorMembers, kContactMembers,
+                                 kContactBalanceMembers, kSolutionMembers, kSensitivityMembers, kLastMembers);
 
 constexpr bool each_is_compared_or_says_why_not() {
   for (const SummaryMember& member : kMembers)

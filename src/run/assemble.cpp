@@ -15,6 +15,7 @@
 #include "run/event_bounds.hpp"
 #include "run/later_rows.hpp"
 #include "run/look_between.hpp"
+#include "run/motion_report.hpp"
 #include "run/rows.hpp"
 #include "run/sensitivities.hpp"
 #include "run/support_reports.hpp"
@@ -148,11 +149,11 @@ class Assembly {
   }
 
   RunResult result() {
-    static constexpr void (Assembly::*kStages[])() = {&Assembly::compare,        &Assembly::look,
-                                                      &Assembly::report_support, &Assembly::judge,
-                                                      &Assembly::differentiate,  &Assembly::take_invariants,
-                                                      &Assembly::find_trend,     &Assembly::find_largest,
-                                                      &Assembly::explain,        &Assembly::keep_ledger};
+    static constexpr void (Assembly::*kStages[])() = {
+        &Assembly::compare,    &Assembly::look,          &Assembly::report_support,
+        &Assembly::judge,      &Assembly::differentiate, &Assembly::take_invariants,
+        &Assembly::find_trend, &Assembly::find_largest,  &Assembly::report_motion,
+        &Assembly::explain,    &Assembly::keep_ledger};
     for (const auto stage : kStages) {
       (this->*stage)();
       if (stops()) return stopped(scene_, made_, options_.partial);
@@ -192,6 +193,8 @@ class Assembly {
       const AttitudeDistance<T> distances[] = {{sample.state.q_LB, other.state.q_LB},
                                                {sample.state.ref_q_LB, other.state.ref_q_LB}};
       turned = std::max(turned, support_.turned_by_rounding(sample, steps, scenario_.duration_s));
+      bounds_.include(sample.state.w_LB_B, other.state.w_LB_B);
+      bounds_.include(sample.state.ref_w_LB_B, other.state.ref_w_LB_B);
       // Where the method states no error, only an angle that may be the largest so far counts.
       const T squared = std::max(distances[0].tangent_squared, distances[1].tangent_squared);
       if (sample.attitude_error == T(0) && squared < T(0.999) * farthest) continue;
@@ -201,6 +204,7 @@ class Assembly {
           std::max(result_.attitude_bound_rad, kSafety * distance + static_cast<double>(sample.attitude_error));
     }
     result_.attitude_bound_rad += turned;
+    bounds_.complete(kSafety, result_.attitude_bound_rad, turned / scenario_.duration_s);
   }
 
   void look() {
@@ -251,6 +255,10 @@ class Assembly {
     if (has_drift(result_) && options_.between)
       assess_largest(source_of(scene_, made_, parts_.next(seconds_.largest, "largest drifts")), judged_, result_);
   }
+  void report_motion() {
+    if (has_drift(result_))
+      result_.motion = motion_report(source_of(scene_, made_, rows_.with_progress(nullptr)), bounds_, result_);
+  }
   void explain() {
     if (!has_drift(result_)) return;
     result_.theory = assess_theory(scene_, result_.looks, result_.drift);
@@ -284,6 +292,7 @@ class Assembly {
   std::vector<DriftSample<double>> between_;  ///< what the first integration has shown between its rows
   std::vector<JudgedLook> judged_;
   std::vector<AzimuthSample> azimuths_;
+  MotionBounds bounds_;
 };
 
 }  // namespace

@@ -359,6 +359,10 @@ constexpr Field kOwnFields[] = {
     {"/report", object, "", any(), "", "{}", "what else to report"},
     {"/report/threshold_rad", number, "rad", above(0, kPi), "", "",
      "the time at which the axis drift first passes it is reported"},
+    {"/report/until_spin_rad_s", number, "rad/s", kRates, "", "",
+     "the time at which the spin first comes to it is reported, e.g. when it has fallen to it"},
+    {"/report/until_tilt_deg", number, "deg", from(0, 180), "", "",
+     "the time at which the tilt first comes to it is reported, e.g. when the top has fallen"},
     {"/report/sensitivities", flag, "", any(), "", "false",
      "whether to report the derivatives of the last reliable drift with respect to the inputs"},
 

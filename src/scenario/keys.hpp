@@ -378,6 +378,8 @@ void numerics_keys(Codec& codec, S& scenario) {
 template <class Codec, class S>
 void report_keys(Codec& codec, S& scenario) {
   codec.key("threshold_rad", scenario.threshold_rad);
+  codec.key("until_spin_rad_s", scenario.reported_spin_rad_s);
+  codec.key("until_tilt_deg", scenario.reported_tilt_deg);
   if (!Codec::kWrites || !scenario.uncertainty) codec.sparse("sensitivities", scenario.sensitivities);
 }
 

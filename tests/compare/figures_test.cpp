@@ -143,11 +143,14 @@ TEST(SummaryTable, SaysTrulyWhyAMemberIsNotCompared) {
        }},
       {"it belongs to a row, and the rows are compared",
        [&](Path path) {
-         return under(path, {"drift.reliable.", "gimbal_events."});
+         return under(path, {"drift.reliable.", "gimbal_events.", "motion.spin_final", "motion.reference_spin_final"});
        }},
+      {"it follows from the first and the last row, and the rows are compared",
+       [&](Path path) { return under(path, {"motion.swing."}); }},
       {"of two nearly equal values either may be the largest",
        [&](Path path) { return other_is_compared(path, "_at_s", "_rad") || other_is_compared(path, "_at_s", "_m"); }},
-      {"the value that it belongs to is compared", [&](Path path) { return other_is_compared(path, "_bound", ""); }},
+      {"the value that it belongs to is compared",
+       [&](Path path) { return other_is_compared(path, "_bound", "") || other_is_compared(path, "_is_sure", "_s"); }},
       {"it says which rows are marked, and the marks are compared",
        [&](Path path) {
          return under(path, {"drift.verdict_intervals.", "drift.secular.window_s"});

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plan/scatter.hpp"
 
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <stdexcept>
 
@@ -43,7 +46,23 @@ std::vector<ScatterCase> scatter_cases() {
        {{{"/instrument/time_offset_s", "0.004"}}},
        plan_for({{"azimuth_deg", 0.05}, {"tilt_deg", 0.05}}, 0.05, 2, {"/instrument/time_offset_s", "spin_rad_s", "tilt_deg"}),
        {{"/instrument", "{}"}}},
-      {"two releases", "toy-top", {{}, {{"/release/spin_rad_s", "-200"}}}, both_ways()}};
+      {"two releases", "toy-top", {{}, {{"/release/spin_rad_s", "-200"}}}, both_ways()},
+      {"rates of a phone",
+       "asymmetric-top",
+       {{}},
+       plan_for({{"w_IB_B_x_rad_s", 0.05}, {"w_IB_B_y_rad_s", 0.05}, {"w_IB_B_z_rad_s", 0.05}}, 0.02, 2,
+                {"/body/inertia/principal_kg_m2/1", "spin_rad_s", "/instrument/w_x_bias_rad_s"}),
+       {{"/instrument", "{}"}}},
+      {"turning points",
+       "hard/t08-gyrocompass",
+       {{{"/release/azimuth_deg", "5"}, {"/site/latitude_deg", "45"}, {"/effects/gimbal", R"({"damping_N_m_s": 2e-6})"}}},
+       plan_for("azimuth_turning_deg", 0.01, 12.342, 200,
+                {"/instrument/azimuth_zero_deg", "/release/azimuth_deg", "/effects/gimbal/damping_N_m_s"}),
+       {{"/instrument", "{}"}}},
+      {"passages of a stopwatch",
+       "steady-precession-slow",
+       {{{"/effects/viscous_torque_N_m_s", "4e-6"}}},
+       plan_for("passage_s", 0.05, 2.6, 26, {"spin_rad_s", "/effects/viscous_torque_N_m_s"})}};
 }
 
 Scatter scatter_of(const ScatterCase& what, std::uint64_t sets) {
@@ -88,6 +107,23 @@ Scatter scatter_of(const ScatterCase& what, std::uint64_t sets) {
     scatter.fitted_error.push_back(errors[j] / n);
   }
   return scatter;
+}
+
+void expect_scatter_as_planned(const std::string& name) {
+  for (const ScatterCase& what : scatter_cases()) {
+    if (what.name != name) continue;
+    const Scatter scatter = scatter_of(what, 1000);
+    for (std::size_t j = 0; j < scatter.names.size(); ++j) {
+      const std::string number = name + ' ' + scatter.names[j];
+      fmt::print("{}: scatter {:.4f} of the planned one, mean {:+.4f} planned errors, fitted error {:.4f} of it\n", number,
+                 scatter.over_prediction[j], scatter.mean_pull[j], scatter.fitted_error[j]);
+      EXPECT_NEAR(scatter.fitted_error[j], 1, 0.05) << number;  // planned at the truth, fitted next to it
+      EXPECT_NEAR(scatter.over_prediction[j], 1, 0.08) << number;
+      EXPECT_NEAR(scatter.mean_pull[j], 0, 0.1) << number;
+    }
+    return;
+  }
+  FAIL() << "no case " << name;
 }
 
 }  // namespace earthtop::testing

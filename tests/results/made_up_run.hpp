@@ -200,6 +200,10 @@ inline RunResult made_up_full_run() {
   result.drift.threshold_time_s = 41;
   result.drift.threshold_time_bound_s = 1e-6;
   result.drift.threshold_crossing = ThresholdCrossing::clear;
+  const auto pair = [](double value) { return BoundedPair{{value, 1e-9}, {value + 1e-5, 2e-9}}; };
+  const MotionReport::Reached reached{40.5, 41.5, 1e-7, 2e-7};
+  result.motion = MotionReport{pair(190), reached, reached,
+                               MotionReport::OfSwing{pair(0.1), pair(-0.01), pair(0.09), pair(-0.02), pair(5e-5)}};
   result.verdict.from_s = result.verdict.reliable_until_s = 60.5;
   result.verdict.intervals = {{58, 59, Doubt::one_at_rest}, {60.5, {}, Doubt::rounding_grown}};
   result.verdict.lyapunov_exponent_1_s = 0.1;

@@ -47,7 +47,7 @@ WHOLE = [
     scene(release={"tilt_deg": 20, "spin_rpm": 1910, "precession": "steady_slow"}),
     scene(**{"$schema": "earthtop-scenario-1.json", "title": "t", "purpose": "p", "_note": 1, "//": [None]},
           site={"latitude_deg": -90, "longitude_deg": 10, "height_m": 100, "gravity_m_s2": 9.8},
-          earth={"rotation_rate_rad_s": -1}, report={"threshold_rad": 0.1}, accuracy={},
+          earth={"rotation_rate_rad_s": -1}, report={"threshold_rad": 0.1, "until_spin_rad_s": 1, "until_tilt_deg": 30}, accuracy={},
           headline={"quantity": "drift_axis_rad", "at_s": 0.5, "value": 1, "tolerance": 1e-9, "origin": "somewhere"},
           motion={"duration_s": 1, "output_step_s": 0.1}),
     scene(criteria=[{"kind": "value", "quantity": "q_LB", "values": [1, 0, 0, 0], "at_s": 1, "tolerance": 0, "why": "",

@@ -240,6 +240,41 @@ void write_choice(Page& page, const RunResult& result) {
   }
 }
 
+/// When spin and tilt come to the values asked for, the spin that is left, and the swing of a pendulum.
+void write_motion(Page& page, const RunResult& result) {
+  if (!result.motion) return;
+  const MotionReport& motion = *result.motion;
+  const Scenario& scenario = result.scene.scenario();
+  const double spin = result.rows.front().w_LB_B[2], left = motion.spin_end_rad_s.rotating.value;
+  constexpr double kTold = 1e-3;  // of the spin
+  if (std::abs(left - spin) > kTold * std::abs(spin))
+    page.entry("Spin", fmt::format("{} at the end, of {:.6g} rad/s",
+                                   with_bound(left, motion.spin_end_rad_s.rotating.bound, "rad/s"), spin));
+  const auto reached = [&](const std::optional<MotionReport::Reached>& when, const std::string& what) {
+    if (!when) return;
+    page.entry("Reached", when->rotating_s
+                              ? fmt::format("{} at t = {}", what, time_with_bound(*when->rotating_s, when->rotating_bound_s))
+                              : fmt::format("{} is not reached", what));
+    if (!when->rotating_is_sure)
+      page.entry("", page.warning("within its error it may be reached at another time, or not at all"));
+  };
+  reached(motion.spin, fmt::format("a spin of {} rad/s", scenario.reported_spin_rad_s.value_or(0)));
+  reached(motion.tilt, fmt::format("a tilt of {} deg", scenario.reported_tilt_deg.value_or(0)));
+  if (const auto& swing = motion.swing) {
+    const auto degrees = [](double rad) { return rad * 180 / std::numbers::pi; };
+    page.entry(
+        "Swing",
+        fmt::format(
+            "semi-axes {:.6g} and {:.4g} deg at the release, {:.6g} and {:.4g} deg at the end (the second one: + is clockwise)",
+            degrees(swing->major_start_rad.rotating.value), degrees(swing->minor_start_rad.rotating.value),
+            degrees(swing->major_end_rad.rotating.value), degrees(swing->minor_end_rad.rotating.value)));
+    page.entry(
+        "", fmt::format("its plane turns by {}, without the Earth by {} (+ is clockwise seen from above)",
+                        with_bound(swing->plane_rate_rad_s.rotating.value, swing->plane_rate_rad_s.rotating.bound, "rad/s"),
+                        with_bound(swing->plane_rate_rad_s.reference.value, swing->plane_rate_rad_s.reference.bound, "rad/s")));
+  }
+}
+
 void write_threshold(Page& page, const RunResult& result) {
   const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
   if (!crossing || !result.scene.scenario().threshold_rad) return;
@@ -316,6 +351,7 @@ void write_trend(Page& page, const RunResult& result) {
                            report.unit));
   }
   write_threshold(page, result);
+  write_motion(page, result);
   for (const InvariantReport& invariant : result.invariants) {
     const std::optional<double> share = share_of(invariant.largest_change, invariant.scale);
     page.entry("Conserved", fmt::format("{} to {:.1e}{}{}", spoken(invariant.name), share.value_or(invariant.largest_change),

@@ -93,8 +93,9 @@ struct Scenario {
   Precision precision = Precision::bits53;
   std::optional<LedgerObserver> ledger;  ///< the observer whose torques are listed in torques.csv
   std::optional<double> threshold_rad;
-  std::optional<double> accuracy_rad;  ///< requested error of the axis drift (rad)
-  bool sensitivities = false;          ///< whether derivatives of the drift by the inputs are requested
+  std::optional<double> reported_spin_rad_s, reported_tilt_deg;  ///< of which the first time is reported
+  std::optional<double> accuracy_rad;                            ///< requested error of the axis drift (rad)
+  bool sensitivities = false;  ///< whether derivatives of the drift by the inputs are requested
   /// Standard errors of the inputs, in the order and units of the table in inputs.hpp; 0 where not given.
   std::optional<std::array<double, kInputCount>> uncertainty;
 };

@@ -69,6 +69,16 @@ DRIFT = [
          unless={"/motion/duration_s": 8}),
     page("The drift passes the threshold of 1e-05 rad at 0.1771", set={"/motion/duration_s": 1, "/report": {"threshold_rad": 1e-5}},
          unless={"/report/threshold_rad": 1e-4}),
+    page("The tilt asked for is reached at 0.00288969", set={"/motion/duration_s": 1, "/report": {"until_tilt_deg": 20.02}},
+         unless={"/report": None}),
+    page("Within its error the tilt asked for may be reached or not.", "cusped-top",
+         {"/report": {"until_tilt_deg": 61.9595}, "/criteria": None, "/headline": None, "/motion": {"duration_s": 2},
+          "/numerics": {"method": "dopri5", "relative_tolerance": 1e-6}}, unless={"/numerics": None}),
+    page("The spin asked for is not reached.", set={"/motion/duration_s": 1, "/report": {"until_spin_rad_s": 100}}, unless={"/report": None}),
+    page("At the end the spin is 19", set={"/motion/duration_s": 1, "/effects": {"viscous_torque_N_m_s": 1e-6}}, unless={"/effects": None}),
+    # The Earth's rate times sin(48.85 deg), less the part of the moment about the axis.
+    page(["The plane of the swing turns by 5.4", ", clockwise seen from above; without the Earth it would by "], "foucault-pendulum",
+         {"/criteria": None, "/headline": None}, unless={"/body/center_of_mass_m/2": 0.5}),
     # Dry friction: I3 w / T = 0.0002 kg m^2 * 20 rad/s / 1e-3 N m = 4 s.
     page(["The rotating prediction comes to rest at 3.99999999", "The non-rotating prediction comes to rest at 4.0"],
          "hard/spin-down", STOPS, unless={"/motion/duration_s": 3}),

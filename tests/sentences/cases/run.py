@@ -110,6 +110,17 @@ VERDICTS = [
                "At rest the non-rotating prediction, by dry friction, at t ="],
          set={"/effects/coulomb_torque_N_m": 0.01, "/motion/duration_s": 2}, holds=between_stops,
          unless={"/motion/duration_s": 1}),
+    Case(RUN, ["Reached a tilt of 20.02 deg at t = 0.002889", "Reached a spin of 100 rad/s is not reached"],
+         set={"/motion/duration_s": 1, "/report": {"until_tilt_deg": 20.02, "until_spin_rad_s": 100}}, unless={"/report": None}),
+    Case(RUN, ["Spin 1.9", " rad/s at the end, of 200 rad/s"], set={"/motion/duration_s": 1, "/effects": {"viscous_torque_N_m_s": 1e-6}},
+         unless={"/effects": None}),
+    Case(RUN, ["Swing semi-axes 0.0573 and -9.994e-07 deg at the release, 0.0573 and -9.992e-07 deg at the end (the second one: + is "
+               "clockwise)", "its plane turns by 5.479", ", without the Earth by "], scenario="foucault-pendulum",
+         unless={"/body/center_of_mass_m/2": 0.5, "/criteria": None, "/headline": None}),
+    # It turns back there, within its error of the tilt.
+    Case(RUN, "within its error it may be reached at another time, or not at all", scenario="cusped-top",
+         set={"/report": {"until_tilt_deg": 61.9595}, "/criteria": None, "/headline": None, "/motion": {"duration_s": 2},
+              "/numerics": {"method": "dopri5", "relative_tolerance": 1e-6}}, unless={"/numerics": None}),
 ]
 
 
