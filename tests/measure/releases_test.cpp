@@ -220,7 +220,7 @@ TEST_F(ReleasesTest, AListNamesScenariosAndMeasurements) {
     return read_releases(file);
   };
   const ListedReleases list = list_of(R"({"estimate": ["spin_rad_s"], "shared": ["gravity_m_s2"], "releases": [
-    {"scenario": "a.json", "measurement": "../a.csv"},
+    {"scenario": "a.json", "measurement": "../a.csv", "columns": ["phi=azimuth_deg"], "sigma": ["azimuth_deg=0.2"], "time_offset_s": 2.5},
     {"scenario": "a.json", "set": ["/release/spin_rpm=-2400"], "estimate": ["tilt_deg"]}]})");
   ASSERT_EQ(list.releases.size(), 2);
   EXPECT_EQ(list.releases[0].scenario, (directory_.path() / "a.json").string());
@@ -229,6 +229,10 @@ TEST_F(ReleasesTest, AListNamesScenariosAndMeasurements) {
   EXPECT_EQ(list.releases[1].sets, std::vector<std::string>{"/release/spin_rpm=-2400"});
   EXPECT_EQ(list.releases[1].estimates, std::vector<std::string>{"tilt_deg"});
   EXPECT_EQ(list.estimates, std::vector<std::string>{"spin_rad_s"});
+  EXPECT_EQ(list.releases[0].format.columns, std::vector<std::string>{"phi=azimuth_deg"});
+  EXPECT_EQ(list.releases[0].format.sigmas, std::vector<std::string>{"azimuth_deg=0.2"});
+  EXPECT_EQ(list.releases[0].format.time_offset_s, 2.5);
+  EXPECT_EQ(list.releases[1].format.time_offset_s, 0);
   EXPECT_EQ(list.shared, std::vector<std::string>{"gravity_m_s2"});
   const auto refused = [&](const std::string& text, int line, const std::string& words) {
     try {

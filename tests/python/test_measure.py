@@ -51,6 +51,39 @@ def test_simulated_data_are_the_programs(run, scenarios, top, data, tmp_path):
     assert short["t_s"].tolist() == [0, 0.5, 1, 1.5, 2, 2.5, 3] and "axis_L_z" in short
 
 
+def test_tables_as_instruments_write_them(top):
+    ball = top.changed({"/release": {"tilt_deg": 0, "spin_rpm": 600}, "/effects": {"viscous_torque_N_m_s": 1e-6}})
+    truth = et.simulate_measurement(ball, {"spin_rpm": 0.5}, every_s=10, until_s=60, seed=5)
+    table = {"Time (s)": truth["t_s"] + 3.5, "rev/min": truth["spin_rpm"], "room": [20.0] * len(truth)}
+    fit = et.fit(ball, table, "effects/viscous_torque_N_m_s", columns={"Time (s)": "t_s", "rev/min": "spin_rpm"},
+                 sigma={"spin_rpm": 0.5}, time_offset_s=3.5)
+    own = et.fit(ball, truth, "effects/viscous_torque_N_m_s")
+    assert fit.agrees and fit.estimates.loc["/effects/viscous_torque_N_m_s", "estimate"] == pytest.approx(
+        own.estimates.loc["/effects/viscous_torque_N_m_s", "estimate"], rel=1e-9)
+    assert 'column not read: "room"' in fit.document["notes"]
+    assert (fit.residuals["quantity"] == "spin").all() and abs(fit.residuals["measured_rad"][0] - 20 * np.pi) < 1  # rad/s
+    with pytest.raises(et.ScenarioError, match='the file has no column "rpm"'):
+        et.fit(ball, table, columns={"rpm": "spin_rpm"})
+    with pytest.raises(et.ScenarioError, match="name each by its column"):
+        et.fit(ball, table, sigma="spin_rpm=1")
+
+
+def test_turning_points_and_passages():
+    compass = et.Scenario({"site": {"latitude_deg": 50, "gravity_m_s2": 9.8}, "body": {"mass_kg": 0.5, "center_of_mass_m": [0, 0, 0],
+                          "inertia": {"principal_kg_m2": [6e-4, 6e-4, 5e-4]}}, "release": {"tilt_deg": 90, "azimuth_deg": 20, "spin_rad_s": 500},
+                           "effects": {"gimbal": {"damping_N_m_s": 2e-6}}, "motion": {"duration_s": 200}})
+    data = et.simulate_measurement(compass, {"azimuth_turning_deg": 0.01}, every_s=22.6)
+    assert list(data.columns) == ["t_s", "azimuth_turning_deg", "azimuth_turning_se_deg", "extreme"]
+    assert data["extreme"].tolist()[:3] == ["max", "min", "max"]
+    assert et.fit(compass, data, "release/azimuth_deg").agrees
+
+
+def test_the_motion_of_a_summary():
+    result = et.run(et.example("foucault-pendulum"))
+    swing = result.summary["motion"]["swing"]
+    assert swing["plane_rate_rad_s"] > 5e-5 and abs(swing["apsidal_rate_rad_s"]) <= swing["apsidal_rate_bound_rad_s"]
+
+
 @pytest.mark.parametrize("options, flags", [
     (dict(), ()),
     (dict(estimate=VERTICAL), ("--estimate", VERTICAL)),
