@@ -65,7 +65,7 @@ std::vector<FitHint> found_hints(const ReleasesReport& report, const std::vector
   std::vector<std::size_t> fitted;
   of_releases.reserve(releases.size());
   for (std::size_t r = 0; r < releases.size(); ++r) {
-    of_releases.push_back(with_instrument(releases[r].scene(), exact_of[r], [&](const std::vector<std::string>& names) {
+    of_releases.push_back(with_instrument(releases[r].measurement(), exact_of[r], [&](const std::vector<std::string>& names) {
       return releases[r].inputs_of(names, ExactInputs::kMost);
     }));
     pointers.push_back(&of_releases.back());

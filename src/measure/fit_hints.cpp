@@ -41,15 +41,27 @@ void add_candidates(std::vector<Candidate>& candidates, const JointInputs& input
   }
 }
 
+/// Whether a number of an instrument has to do with what was measured: a turn of the mount and a clock do; other ones are named after the
+/// quantities that are read on their scale.
+bool reads(std::string_view key, const Measurement& measurement) {
+  if (key.starts_with("turn_") || key.starts_with("time_") || key.starts_with("clock_")) return true;
+  std::string_view stem = key.substr(0, key.rfind("_zero"));
+  for (const std::string_view end : {"_bias", "_scale"}) stem = stem.substr(0, stem.rfind(end));
+  if (stem.starts_with("w_")) stem = "w_";  // all of its axes: they share the scale
+  return std::ranges::any_of(measurement.values, [&](const MeasuredValue& value) {
+    const std::string_view name = to_string(value.quantity);
+    return name.starts_with(stem) || (name == "axis" && (stem == "azimuth" || stem == "tilt"));
+  });
+}
+
 }  // namespace
 
-EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, const ExactInputs::InputsOf& inputs_of) {
+EstimatedInputs with_instrument(const Measurement& measurement, const ExactInputs& exact,
+                                const ExactInputs::InputsOf& inputs_of) {
   std::vector<std::string> names;
   for (std::size_t j = 0; j < exact.fitted(); ++j) names.push_back(exact.all().list()[j].name);
   for (const InstrumentRow& row : kInstrument) {
-    const std::string_view key = instrument_key(row.pointer);
-    if (key.starts_with("rotor_") && !scene.scenario().rotor) continue;
-    if ((key.starts_with("outer_") || key.starts_with("inner_")) && !scene.scenario().gimbals) continue;
+    if (!reads(instrument_key(row.pointer), measurement)) continue;
     if (std::ranges::find(names, row.pointer) == names.end()) names.emplace_back(row.pointer);
   }
   return inputs_of(names);

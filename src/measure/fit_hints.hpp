@@ -10,8 +10,9 @@
 
 namespace earthtop::measure {
 
-/// The fitted inputs and, behind them, all numbers of an instrument that can be fitted besides.
-EstimatedInputs with_instrument(const Scene& scene, const ExactInputs& exact, const ExactInputs::InputsOf& inputs_of);
+/// The fitted inputs and, behind them, all numbers of an instrument that can be fitted besides and that a measurement has to do with.
+EstimatedInputs with_instrument(const Measurement& measurement, const ExactInputs& exact,
+                                const ExactInputs::InputsOf& inputs_of);
 
 /// The inputs that would take away at least half of what chi-squared has too much, each by itself; a turn of a release's mount about
 /// East and North together. At most three.

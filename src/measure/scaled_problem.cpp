@@ -125,7 +125,8 @@ double ScaledProblem::largest_change_rad(const Eigen::VectorXd& derivative, doub
   double change = 0;
   for (Eigen::Index i = 0; i < derivative.size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
-    change = std::max(change, std::abs(derivative[i]) * step * problem_.standard_error[row] / problem_.size[row]);
+    const double size = problem_.size.empty() ? 1 : problem_.size[row];
+    change = std::max(change, std::abs(derivative[i]) * step * problem_.standard_error[row] / size);
   }
   return change;
 }

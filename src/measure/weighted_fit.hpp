@@ -23,7 +23,7 @@ struct FitProblem {
   std::vector<double> start;
   std::vector<double> scales;          ///< for each parameter, a size of which a thousandth is a small change
   std::vector<double> standard_error;  ///< for each residual (rad, rad/s, m or s)
-  std::vector<double> size;            ///< for each residual, in its unit: what a radian is for an angle
+  std::vector<double> size;            ///< for each residual, in its unit: what a radian is for an angle; empty: all are angles
   std::vector<double> period;          ///< for each residual, its jump when its angle passes a full turn (rad); 0: none
   Whitening whitening;                 ///< of the residuals divided by their standard errors
   std::vector<FitPrior> priors;        ///< each is a datum besides the residuals

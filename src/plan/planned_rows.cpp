@@ -73,8 +73,8 @@ void fill_in(Measurement& measurement, const measure::PredictedMotion& motion) {
     const bool is_value = row.feature == measure::Feature::value;
     const double there = is_value ? motion.axes[at][value.quantity] : motion.features[i].value;
     if (!std::string_view(row.missing).empty() && std::isnan(there))
-      throw ScenarioError("--measure",
-                          fmt::format("{}: at {:g} s, {}, or measure something else", row.name, value.t_s, row.missing));
+      throw ScenarioError("--measure", fmt::format("{}: {}{}, or measure something else", row.name,
+                                                   is_value ? "" : fmt::format("at {:g} s, ", value.t_s), row.missing));
     if (is_value) continue;
     const measure::PredictedFeature& feature = motion.features[i];
     value.turns = feature.turns, value.extreme = feature.extreme;

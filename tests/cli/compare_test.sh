@@ -166,13 +166,14 @@ on_stdout 'correlated over 0.001 s'
 expect 2 compare "$scenarios/toy-top.json" measured.csv --correlation-time 0
 expect 2 compare runs/toy-top runs/toy-top --priors
 tr ',' ';' <measured.csv >semicolons.csv
-expect 2 compare "$scenarios/toy-top.json" semicolons.csv
-on_stderr 'semicolons separate these columns'
+expect 0 compare "$scenarios/toy-top.json" semicolons.csv
 tr ',' '\t' <measured.csv >tabs.csv
 expect 0 compare "$scenarios/toy-top.json" tabs.csv
 tr '.' ',' <tabs.csv >decimal.csv
-expect 2 compare "$scenarios/toy-top.json" decimal.csv
-on_stderr 'write decimal points'
+expect 0 compare "$scenarios/toy-top.json" decimal.csv
+{ cat decimal.csv; printf '7.5\t0\t1\n'; } >mixed.csv
+expect 2 compare "$scenarios/toy-top.json" mixed.csv
+on_stderr 'write all with the same sign'
 
 # A new reference needs a reason.
 expect 2 compare reference runs/toy-top --update
