@@ -96,7 +96,8 @@ std::optional<Swing<T>> swing_of(const SymmetricTop<T>& top, const Vec3<T>& n_L,
   const T b = -sign * top.I3 / top.I1 * (spin_rad_s + up_rad_s * n_L[2]), v = s[0] * rate[1] - s[1] * rate[0] - b * x;
   const T e = rate[0] * rate[0] + rate[1] * rate[1] + rate[2] * rate[2] + gravity * x;
   if (!(e > T(0))) return Swing<T>{};
-  const auto [x1, x2, x3] = swing_roots(gravity, e, v, b);
+  const SwingRoots<T> roots = swing_roots(gravity, e, v, b);
+  const T x1 = roots.inner, x2 = roots.outer, x3 = roots.beyond;
   if (!(x2 <= T(2)) || !(x3 > x2) || !(x1 < T(1))) return std::nullopt;
   const T turn = v > T(0) ? T(1) : v < T(0) ? T(-1) : T(0), mean_of_roots = turn * real::sqrt(x1 * x2);
   const auto at = [&](T sin_squared) { return x1 + (x2 - x1) * sin_squared; };

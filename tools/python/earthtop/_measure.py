@@ -137,8 +137,8 @@ class Fit(_Fitted):
 
     @property
     def residuals(self) -> "pandas.DataFrame":
-        """One row for each measured number: time (s), quantity, line of the data, measured and predicted angle, residual
-        (measured less predicted) and standard error (rad; for the rate of a rotor rad/s), and the residual in standard errors."""
+        """One row for each measured number: time (s), quantity, line of the data, measured and predicted number, residual
+        (measured less predicted) and standard error (rad; of rates rad/s, of lengths m, of times s), and the residual in standard errors."""
         return _residuals_of(self.document)
 
     def fitted_scenario(self) -> Scenario:
@@ -330,8 +330,8 @@ def simulate_measurement(scenario: ScenarioLike, measure: Mapping[str, float], *
     scenario : Scenario, dict, JSON text or path
         what moves
     measure : mapping
-        standard error of each quantity, by its name with its unit: ``{"azimuth_deg": 0.01, "tilt_deg": 0.01}``; also ``axis``,
-        ``drift_azimuth``, ``drift_tilt``, with ``_rad``, ``_deg`` or ``_arcsec``
+        standard error of each quantity, by its name with its unit: ``{"azimuth_deg": 0.01, "tilt_deg": 0.01}``; any that
+        ``earthtop.fit`` takes; an axis is ``axis_deg``
     every_s : float
         distance of the rows in time (s)
     until_s : float, optional

@@ -113,8 +113,8 @@ def plan(scenario: Union[ScenarioLike, Sequence[ScenarioLike]], measure: Mapping
         the top; its ``uncertainty`` says what is known beforehand. Or a list of these: several releases that are measured alike
         and evaluated by one fit
     measure : mapping
-        standard error of each quantity, by its name with its unit: ``{"azimuth_deg": 0.01}``; also ``tilt``, ``axis``,
-        ``drift_azimuth``, ``drift_tilt``, with ``_rad``, ``_deg`` or ``_arcsec``
+        standard error of each quantity, by its name with its unit: ``{"azimuth_deg": 0.01}``; any that
+        ``earthtop.fit`` takes; an axis is ``axis_deg``
     every_s : float
         distance of the rows in time (s)
     until_s : float, optional
