@@ -300,7 +300,7 @@ TEST(MeasuredQuantities, ATachometerTellsTheFrictionOfABallGyroscope) {
 
 /// Sixteen times of precession, of four spins and four loads: one moment. Each time has an error that is far larger than its nutation.
 TEST(MeasuredQuantities, SixteenTimesOfPrecessionAreOneMoment) {
-  constexpr double kI3 = 4.0624e-3, kSigma_s = 0.5;
+  constexpr double kBallI3 = 4.0624e-3, kSigma_s = 0.5;
   std::vector<MeasuredRelease> releases;
   double information = 0;  // about the logarithm of I3, to which each time is proportional
   unsigned seed = 0;
@@ -308,20 +308,20 @@ TEST(MeasuredQuantities, SixteenTimesOfPrecessionAreOneMoment) {
     for (const double spin_rpm : {680.0, 535.0, 392.5, 245.0}) {
       MeasurementPlan plan{
           {planned_quantity("precession_period_s", kSigma_s)}, 1, 1, 0, {"/body/inertia/principal_kg_m2/2"}, {}};
-      const auto csv = simulated_measurement({"ball.json", ball(spin_rpm, lever_m, kI3)}, {}, plan, ++seed);
+      const auto csv = simulated_measurement({"ball.json", ball(spin_rpm, lever_m, kBallI3)}, {}, plan, ++seed);
       Measurement one = parse_measurement("m.csv", *csv);
       one.values.resize(1);  // that of the release
       information += std::pow(one.values[0].value / kSigma_s, 2);
-      releases.push_back({{"ball.json", ball(spin_rpm, lever_m, 0.97 * kI3)}, {}, one, {}});
+      releases.push_back({{"ball.json", ball(spin_rpm, lever_m, 0.97 * kBallI3)}, {}, one, {}});
     }
   MeasurementOptions options;
   options.shared = {"/body/inertia/principal_kg_m2/2"};
   const ReleasesReport fit = compare_releases(releases, options);
   ASSERT_EQ(fit.fit, FitOutcome::converged) << fit.fit_reason;
   const ParameterEstimate& I3 = fit.estimates[0];
-  EXPECT_LT(std::abs(*I3.estimate - kI3), 3 * *I3.standard_error);
-  EXPECT_NEAR(*I3.standard_error, kI3 / std::sqrt(information),
-              0.05 * kI3 / std::sqrt(information));  // what the nutation leaves
+  EXPECT_LT(std::abs(*I3.estimate - kBallI3), 3 * *I3.standard_error);
+  EXPECT_NEAR(*I3.standard_error, kBallI3 / std::sqrt(information),
+              0.05 * kBallI3 / std::sqrt(information));  // what the nutation leaves
   EXPECT_TRUE(fit.agrees());
 }
 
