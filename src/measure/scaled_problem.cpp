@@ -11,8 +11,7 @@ namespace {
 constexpr double kFirstStep = 0x1p-20, kLongestStep = 1e-3, kShortestStep = 1e-9;  // parts of a parameter's scale
 constexpr double kLongestStepInErrors = 1e-2;  // where errors are so large that a longer step makes no difference to them
 constexpr double kWantedChange_rad = 1e-4;
-constexpr double kWantedChange =
-    0.5;  // of all residuals together, in standard errors: a ripple below the errors is not followed
+constexpr double kWantedChange = 1;  // of all residuals together, in standard errors: a ripple below the errors is not followed
 constexpr double kFine = 2, kRough = 30;  // factors by which a change may differ from the wanted one
 
 }  // namespace

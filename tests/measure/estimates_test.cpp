@@ -333,7 +333,7 @@ TEST(WeightedFit, SaysWhyItDoesNotConverge) {
   // Next to numbers beyond 0.5 there is no prediction, so that they have no derivative.
   double before = 0;
   const auto alone = fit_of([&](double x) {
-    const bool is_beside = before > 0.5 && std::abs(x - before) < 0.01;
+    const bool is_beside = before > 0.5 && std::abs(x - before) < 0.03;
     before = x;
     return is_beside ? std::nullopt : std::optional(x - 1);
   });
