@@ -204,7 +204,7 @@ class Assembly {
           std::max(result_.attitude_bound_rad, kSafety * distance + static_cast<double>(sample.attitude_error));
     }
     result_.attitude_bound_rad += turned;
-    bounds_.complete(kSafety, result_.attitude_bound_rad, turned / scenario_.duration_s);
+    bounds_.complete(kSafety, result_.attitude_bound_rad, turned / scenario_.duration_s, scene_.fastest_rate_rad_s());
   }
 
   void look() {

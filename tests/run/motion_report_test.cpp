@@ -12,6 +12,7 @@
 #include "earthtop/closed_form/mean_precession.hpp"
 #include "earthtop/closed_form/swing.hpp"
 #include "earthtop/frames/rotation.hpp"
+#include "earthtop/run_batch.hpp"
 #include "results/figures.hpp"
 #include "run/pendulums.hpp"
 
@@ -130,6 +131,28 @@ TEST(MotionReport, ADampedSwingFallsExponentially) {
   EXPECT_NEAR(swing.major_end_rad.rotating.value / swing.major_start_rad.rotating.value, fallen,
               1e-3);  // k / (I1 w), squared amplitude
   EXPECT_NEAR(swing.minor_end_rad.rotating.value / swing.minor_start_rad.rotating.value, fallen, 1e-3);  // likewise
+}
+
+/// Points of a study are computed side by side, and their second integration has no rates: the bounds hold there, too, and are as narrow.
+TEST(MotionReport, PointsSideBySideHaveTheSameFigures) {
+  std::vector<Scene> scenes;
+  for (int k = 0; k < 8; ++k)
+    scenes.push_back(
+        run_of({9.05, 0.1, -3},
+               fmt::format(R"("tilt_deg": {}, "spin_rad_s": 0, "precession": {{"rate_rad_s": 0.09}})", 3 + 0.1 * k), 0.1, "",
+               "")
+            .scene);
+  const std::vector<BatchOutcome> points = run_batch(scenes, {}, false);
+  for (std::size_t k = 0; k < scenes.size(); ++k) {
+    ASSERT_TRUE(points[k].result);
+    const RunResult &point = *points[k].result, alone = run(scenes[k]);
+    ASSERT_TRUE(point.motion->swing && alone.motion->swing);
+    const BoundedNumber &here = point.motion->swing->plane_rate_rad_s.rotating,
+                        &there = alone.motion->swing->plane_rate_rad_s.rotating;
+    EXPECT_LE(std::abs(here.value - there.value), here.bound + there.bound);
+    EXPECT_LT(here.bound, 1e-7);                                   // rad/s, after 0.1 s
+    EXPECT_LT(point.motion->spin_end_rad_s.rotating.bound, 1e-9);  // likewise
+  }
 }
 
 /// The ellipse of a state is the same at all times of an undisturbed motion, and its azimuth goes evenly: in 113 bits.
