@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <map>
 #include <span>
 
 #include "earthtop/scene/top_figures.hpp"
@@ -143,24 +144,36 @@ bool turns_between(const Look& a, const Look& b, Extreme wanted) {
   return (is_top && wanted != Extreme::minimum) || (is_bottom && wanted != Extreme::maximum);
 }
 
-/// The turning point next to a time. A release at rest is one, which lies between the first look and itself.
-/// @param rounding_rad_s  rates below this are none
-Place turning_place(const std::vector<Look>& looks, const MeasuredValue& value, double rounding_rad_s, bool& is_release) {
-  double nearest_s = HUGE_VAL;
-  Place found;
-  is_release = false;
-  if (looks.size() > 1 && std::abs(looks[0].rate) <= rounding_rad_s && std::abs(looks[1].rate) > rounding_rad_s) {
-    const bool is_top = looks[1].rate < 0;
-    is_release = value.extreme == Extreme::either || is_top == (value.extreme == Extreme::maximum);
-    if (is_release) found = 0, nearest_s = value.t_s;
-  }
+/// A turning point between two looks, or at the release.
+struct Turning {
+  double t_s;         // nearly
+  std::size_t place;  // of the look before it
+  bool is_top, is_release;
+};
+
+/// The turning points of an angle, ascending in time; a release at rest is one.   @param rounding_rad_s  rates below this are none
+std::vector<Turning> turnings_of(const std::vector<Look>& looks, double rounding_rad_s) {
+  std::vector<Turning> turnings;
+  if (looks.size() > 1 && std::abs(looks[0].rate) <= rounding_rad_s && std::abs(looks[1].rate) > rounding_rad_s)
+    turnings.push_back({looks[0].t_s, 0, looks[1].rate < 0, true});
   for (std::size_t k = 0; k + 1 < looks.size(); ++k) {
     const Look &a = looks[k], &b = looks[k + 1];
-    if (!turns_between(a, b, value.extreme) || std::max(std::abs(a.rate), std::abs(b.rate)) <= rounding_rad_s) continue;
-    const double apart_s = std::abs(a.t_s + (b.t_s - a.t_s) * a.rate / (a.rate - b.rate) - value.t_s);
-    if (apart_s < nearest_s) nearest_s = apart_s, found = k, is_release = false;
+    if (!turns_between(a, b, Extreme::either) || std::max(std::abs(a.rate), std::abs(b.rate)) <= rounding_rad_s) continue;
+    turnings.push_back({a.t_s + (b.t_s - a.t_s) * a.rate / (a.rate - b.rate), k, a.rate > 0, false});
   }
-  return found;
+  return turnings;
+}
+
+/// The turning point of the wanted kind next to a time; null where there is none.
+const Turning* nearest_turning(const std::vector<Turning>& turnings, const MeasuredValue& value) {
+  const auto is_wanted = [&](const Turning& one) {
+    return value.extreme == Extreme::either || one.is_top == (value.extreme == Extreme::maximum);
+  };
+  const auto later = std::ranges::lower_bound(turnings, value.t_s, {}, &Turning::t_s);
+  const auto after = std::find_if(later, turnings.end(), is_wanted);
+  const auto before = std::find_if(std::make_reverse_iterator(later), turnings.rend(), is_wanted);
+  if (before == turnings.rend()) return after == turnings.end() ? nullptr : &*after;
+  return after == turnings.end() || value.t_s - before->t_s <= after->t_s - value.t_s ? &*before : &*after;
 }
 
 /// The first two looks between which an angle passes a level, from a look on.
@@ -222,6 +235,7 @@ class FeatureSearch {
     is_countable_ = is_counted(azimuths);
     const double sense = azimuths.back().angle < azimuths.front().angle ? -1 : 1;
     double passed = 0;  // turns, of the passage before
+    std::map<MeasuredQuantity, std::vector<Turning>> turnings;
     double fastest_rad_s = 0;
     for (const PredictedAxis& axis : first_.axes) fastest_rad_s = std::max(fastest_rad_s, norm(axis.w_LB_B));
     for (std::size_t i = 0; i < measurement_.values.size(); ++i) {
@@ -230,8 +244,10 @@ class FeatureSearch {
       if (row.feature == Feature::value) continue;
       Wanted& one = wanted_.emplace_back(Wanted{i, std::nullopt});
       if (row.feature == Feature::turning) {
-        one.place = turning_place(row.of == MeasuredQuantity::azimuth ? azimuths : looks_at(first_.axes, row.of), value,
-                                  kRounding * fastest_rad_s, one.is_release);
+        const auto [known, is_new] = turnings.try_emplace(row.of);
+        if (is_new) known->second = turnings_of(looks_at(first_.axes, row.of), kRounding * fastest_rad_s);
+        if (const Turning* turning = nearest_turning(known->second, value))
+          one.place = turning->place, one.is_release = turning->is_release;
         continue;
       }
       if (!is_countable_) continue;

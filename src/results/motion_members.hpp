@@ -12,75 +12,68 @@ inline const MotionReport::OfSwing& swing(R r) { return *r.motion->swing; }
 /// What is finite; else null.
 inline Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-/// A number of what is reported on wish; left out without the wish.
-inline Json if_asked(R r, std::optional<MotionReport::Reached> MotionReport::*wish,
-                     std::optional<double> MotionReport::Reached::*member) {
-  if (!r.motion || !((*r.motion).*wish)) return kLeftOut;
-  return json_from((*((*r.motion).*wish)).*member);
+/// What is reported on wish; left out without the wish.
+template <auto wish, auto member>
+Json if_asked(R r) {
+  return r.motion && (*r.motion).*wish ? json_from((*((*r.motion).*wish)).*member) : kLeftOut;
 }
-inline Json is_sure(R r, std::optional<MotionReport::Reached> MotionReport::*wish, bool MotionReport::Reached::*member) {
-  return r.motion && (*r.motion).*wish ? Json((*((*r.motion).*wish)).*member) : kLeftOut;
+/// A time that is reported on wish, its bound, and whether it is sure.
+/// @param time_s, bound_s, is_sure  paths, all of them in `motion`
+template <auto wish, auto time, auto bound, auto sure>
+constexpr std::array<SummaryMember, 3> reached(std::string_view time_s, std::string_view bound_s, std::string_view is_sure) {
+  constexpr std::size_t kInside = std::string_view("motion.").size();
+  return {
+      of_event(compared(time_s, FigureKind::time, FigureScope::at_event, kAtEnd, [](R r) { return if_asked<wish, time>(r); }),
+               time_s.substr(kInside), bound_s.substr(kInside)),
+      told(bound_s, kAtEnd, kIsBounded, [](R r) { return if_asked<wish, bound>(r); }),
+      told(is_sure, kAtEnd, kIsBounded, [](R r) { return if_asked<wish, sure>(r); })};
 }
+
 inline Json last_spin(R r, BoundedNumber BoundedPair::*motion, double BoundedNumber::*member) {
   return r.motion ? Json(r.motion->spin_end_rad_s.*motion.*member) : kLeftOut;
 }
 
+inline constexpr std::array kLastSpin = {told("motion.spin_final_rad_s", kAtEnd, kIsRow,
+                                              [](R r) { return last_spin(r, &BoundedPair::rotating, &BoundedNumber::value); }),
+                                         told("motion.spin_final_bound_rad_s", kAtEnd, kIsRow,
+                                              [](R r) { return last_spin(r, &BoundedPair::rotating, &BoundedNumber::bound); }),
+                                         told("motion.reference_spin_final_rad_s", kAtEnd, kIsRow, [](R r) {
+                                           return last_spin(r, &BoundedPair::reference, &BoundedNumber::value);
+                                         })};
+
+inline constexpr std::array kSwingMembers = {
+    // A pendulum's swing on the rotating Earth. The plane's azimuth grows clockwise, seen from above; the apsidal rate is that of the
+    // non-rotating prediction's plane.
+    object_or_nothing("motion.swing", [](R r) { return r.motion && r.motion->swing; }),
+    told("motion.swing.major_start_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).major_start_rad.rotating.value; }),
+    told("motion.swing.minor_start_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).minor_start_rad.rotating.value; }),
+    told("motion.swing.major_end_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).major_end_rad.rotating.value; }),
+    told("motion.swing.major_end_bound_rad", kAtEnd, kOfEnds,
+         [](R r) { return finite(swing(r).major_end_rad.rotating.bound); }),
+    told("motion.swing.minor_end_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).minor_end_rad.rotating.value; }),
+    told("motion.swing.minor_end_bound_rad", kAtEnd, kOfEnds,
+         [](R r) { return finite(swing(r).minor_end_rad.rotating.bound); }),
+    told("motion.swing.plane_rate_rad_s", kAtEnd, kOfEnds, [](R r) { return swing(r).plane_rate_rad_s.rotating.value; }),
+    told("motion.swing.plane_rate_bound_rad_s", kAtEnd, kOfEnds,
+         [](R r) { return finite(swing(r).plane_rate_rad_s.rotating.bound); }),
+    told("motion.swing.apsidal_rate_rad_s", kAtEnd, kOfEnds, [](R r) { return swing(r).plane_rate_rad_s.reference.value; }),
+    told("motion.swing.apsidal_rate_bound_rad_s", kAtEnd, kOfEnds,
+         [](R r) { return finite(swing(r).plane_rate_rad_s.reference.bound); })};
+
 inline constexpr auto kMotionMembers = [] {
-  using enum FigureKind;
-  using enum FigureScope;
   using Reached = MotionReport::Reached;
-  return std::array{
-      told("motion.spin_final_rad_s", kAtEnd, kIsRow,
-           [](R r) { return last_spin(r, &BoundedPair::rotating, &BoundedNumber::value); }),
-      told("motion.spin_final_bound_rad_s", kAtEnd, kIsRow,
-           [](R r) { return last_spin(r, &BoundedPair::rotating, &BoundedNumber::bound); }),
-      told("motion.reference_spin_final_rad_s", kAtEnd, kIsRow,
-           [](R r) { return last_spin(r, &BoundedPair::reference, &BoundedNumber::value); }),
-      of_event(compared("motion.spin_reached_s", time, at_event, kAtEnd,
-                        [](R r) { return if_asked(r, &MotionReport::spin, &Reached::rotating_s); }),
-               "spin_reached_s", "spin_reached_bound_s"),
-      told("motion.spin_reached_bound_s", kAtEnd, kIsBounded,
-           [](R r) { return if_asked(r, &MotionReport::spin, &Reached::rotating_bound_s); }),
-      told("motion.spin_reached_is_sure", kAtEnd, kIsBounded,
-           [](R r) { return is_sure(r, &MotionReport::spin, &Reached::rotating_is_sure); }),
-      of_event(compared("motion.reference_spin_reached_s", time, at_event, kAtEnd,
-                        [](R r) { return if_asked(r, &MotionReport::spin, &Reached::reference_s); }),
-               "reference_spin_reached_s", "reference_spin_reached_bound_s"),
-      told("motion.reference_spin_reached_bound_s", kAtEnd, kIsBounded,
-           [](R r) { return if_asked(r, &MotionReport::spin, &Reached::reference_bound_s); }),
-      told("motion.reference_spin_reached_is_sure", kAtEnd, kIsBounded,
-           [](R r) { return is_sure(r, &MotionReport::spin, &Reached::reference_is_sure); }),
-      of_event(compared("motion.tilt_reached_s", time, at_event, kAtEnd,
-                        [](R r) { return if_asked(r, &MotionReport::tilt, &Reached::rotating_s); }),
-               "tilt_reached_s", "tilt_reached_bound_s"),
-      told("motion.tilt_reached_bound_s", kAtEnd, kIsBounded,
-           [](R r) { return if_asked(r, &MotionReport::tilt, &Reached::rotating_bound_s); }),
-      told("motion.tilt_reached_is_sure", kAtEnd, kIsBounded,
-           [](R r) { return is_sure(r, &MotionReport::tilt, &Reached::rotating_is_sure); }),
-      of_event(compared("motion.reference_tilt_reached_s", time, at_event, kAtEnd,
-                        [](R r) { return if_asked(r, &MotionReport::tilt, &Reached::reference_s); }),
-               "reference_tilt_reached_s", "reference_tilt_reached_bound_s"),
-      told("motion.reference_tilt_reached_bound_s", kAtEnd, kIsBounded,
-           [](R r) { return if_asked(r, &MotionReport::tilt, &Reached::reference_bound_s); }),
-      told("motion.reference_tilt_reached_is_sure", kAtEnd, kIsBounded,
-           [](R r) { return is_sure(r, &MotionReport::tilt, &Reached::reference_is_sure); }),
-      // A pendulum's swing on the rotating Earth. The plane's azimuth grows clockwise, seen from above; the apsidal rate is that of the
-      // non-rotating prediction's plane.
-      object_or_nothing("motion.swing", [](R r) { return r.motion && r.motion->swing; }),
-      told("motion.swing.major_start_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).major_start_rad.rotating.value; }),
-      told("motion.swing.minor_start_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).minor_start_rad.rotating.value; }),
-      told("motion.swing.major_end_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).major_end_rad.rotating.value; }),
-      told("motion.swing.major_end_bound_rad", kAtEnd, kOfEnds,
-           [](R r) { return finite(swing(r).major_end_rad.rotating.bound); }),
-      told("motion.swing.minor_end_rad", kAtEnd, kOfEnds, [](R r) { return swing(r).minor_end_rad.rotating.value; }),
-      told("motion.swing.minor_end_bound_rad", kAtEnd, kOfEnds,
-           [](R r) { return finite(swing(r).minor_end_rad.rotating.bound); }),
-      told("motion.swing.plane_rate_rad_s", kAtEnd, kOfEnds, [](R r) { return swing(r).plane_rate_rad_s.rotating.value; }),
-      told("motion.swing.plane_rate_bound_rad_s", kAtEnd, kOfEnds,
-           [](R r) { return finite(swing(r).plane_rate_rad_s.rotating.bound); }),
-      told("motion.swing.apsidal_rate_rad_s", kAtEnd, kOfEnds, [](R r) { return swing(r).plane_rate_rad_s.reference.value; }),
-      told("motion.swing.apsidal_rate_bound_rad_s", kAtEnd, kOfEnds,
-           [](R r) { return finite(swing(r).plane_rate_rad_s.reference.bound); })};
+  constexpr auto kSpin = &MotionReport::spin, kTilt = &MotionReport::tilt;
+  return joined(
+      kLastSpin,
+      reached<kSpin, &Reached::rotating_s, &Reached::rotating_bound_s, &Reached::rotating_is_sure>(
+          "motion.spin_reached_s", "motion.spin_reached_bound_s", "motion.spin_reached_is_sure"),
+      reached<kSpin, &Reached::reference_s, &Reached::reference_bound_s, &Reached::reference_is_sure>(
+          "motion.reference_spin_reached_s", "motion.reference_spin_reached_bound_s", "motion.reference_spin_reached_is_sure"),
+      reached<kTilt, &Reached::rotating_s, &Reached::rotating_bound_s, &Reached::rotating_is_sure>(
+          "motion.tilt_reached_s", "motion.tilt_reached_bound_s", "motion.tilt_reached_is_sure"),
+      reached<kTilt, &Reached::reference_s, &Reached::reference_bound_s, &Reached::reference_is_sure>(
+          "motion.reference_tilt_reached_s", "motion.reference_tilt_reached_bound_s", "motion.reference_tilt_reached_is_sure"),
+      kSwingMembers);
 }();
 
 }  // namespace earthtop::figure_table

@@ -145,23 +145,32 @@ std::optional<Largest> largest_of(std::span<const double> times_s, std::span<con
 }
 
 std::optional<double> first_passing(std::span<const double> times_s, std::span<const double> values, double level) {
+  constexpr double kRises = 2;  // a parabola leaves a tenth of how much higher a swing goes than its highest look
   for (const Piece& piece : pieces_of(values))
     for (std::size_t i = piece.begin; i < piece.end; ++i) {
-      if (values[i] < level) continue;
+      double above_s = times_s[i], above = values[i];
+      if (above < level) {
+        const bool is_top = i > piece.begin && i + 1 < piece.end && above >= values[i - 1] && above >= values[i + 1];
+        if (!is_top || above + kRises * rise(values, piece, i) < level) continue;
+        const Largest top = top_near(times_s, values, piece, i);
+        above_s = top.t_s, above = top.value;
+        if (above < level) continue;
+      }
       if (i == piece.begin) return times_s[i];
       const std::size_t count = std::min(kNodes, piece.end - piece.begin),
                         first = first_node(i, piece.begin, piece.end, kNodes);
       const Through polynomial(values.subspan(first, count));
-      const double x = static_cast<double>(i - first);
-      double root = x;
+      const double step_s = times_s[i] - times_s[i - 1], before = static_cast<double>(i - first) - 1;
+      const double end = before + (above_s - times_s[i - 1]) / step_s;
+      double root = end;
       close_in(
-          x - 1, values[i - 1] - level, x, values[i] - level,
+          before, values[i - 1] - level, end, above - level,
           [&](double at) {
             root = at;
             return polynomial.at(at).value - level;
           },
           [] { return false; });
-      return times_s[i - 1] + (root - (x - 1)) * (times_s[i] - times_s[i - 1]);
+      return times_s[i - 1] + (root - before) * step_s;
     }
   return std::nullopt;
 }

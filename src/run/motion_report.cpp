@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/frames/rotation.hpp"
 #include "run/largest.hpp"
+#include "run/looks.hpp"
 #include "run/row_vectors.hpp"
 #include "scene/pendulum.hpp"
 
@@ -45,7 +45,10 @@ struct EvenLooks {
 EvenLooks even_looks(const LookSource& source, const RunResult& result) {
   constexpr double kMost = 400'000, kFewest = 24;
   EvenLooks looks;
-  const double wanted = std::max(kFewest, std::ceil(result.reached_s / source.step_s)), count = std::min(kMost, wanted);
+  // A run that looks only where its bounds are judged has no step of its own.
+  const Scene& scene = result.modelled;
+  const double step_s = source.step_s > 0 ? source.step_s : plan_looks(scene, scene.choice().options).picture.step_s;
+  const double wanted = std::max(kFewest, std::ceil(result.reached_s / step_s)), count = std::min(kMost, wanted);
   looks.resolved = wanted <= kMost;
   for (double k = 0; k <= count; ++k) looks.times_s.push_back(k == count ? result.reached_s : result.reached_s * (k / count));
   if (result.looks_a_window == 0 && result.looks.size() == looks.times_s.size())
@@ -196,9 +199,10 @@ std::optional<ToldSwing> swing_of_motion(const SwingTeller& teller, const Motion
     turned += expected + std::remainder(*swing.azimuth_rad - *before.azimuth_rad - expected, std::numbers::pi);
     before = swing, t_s = to_s;
   };
-  for (const DriftRow& look : result.looks)
-    if (look.t_s < last.t_s)
-      if (const auto swing = teller.at(swing_state(look, motion))) go_on(look.t_s, *swing);
+  constexpr std::size_t kCounted = 256;  // looks; of an undisturbed swing the two ends would do
+  const std::size_t stride = 1 + result.looks.size() / kCounted;
+  for (std::size_t i = 0; i < result.looks.size() && result.looks[i].t_s < last.t_s; i += stride)
+    if (const auto swing = teller.at(swing_state(result.looks[i], motion))) go_on(result.looks[i].t_s, *swing);
   go_on(last.t_s, *at_end);
   const auto start_errors = teller.errors(start, *at_start, true), end_errors = teller.errors(end, *at_end, false);
   const double duration_s = last.t_s - first.t_s;

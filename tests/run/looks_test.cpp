@@ -259,6 +259,13 @@ TEST(Largest, PassesALevelWhereThePolynomialDoes) {
   for (double t = 0; t < 4; t += 0.3) times.push_back(t), values.push_back(std::exp(t));
   EXPECT_NEAR(*first_passing(times, values, 10), std::log(10), 1e-11);  // what is left of a polynomial of the looks' high order
   EXPECT_FALSE(first_passing(times, values, 100));
+  // A swing that passes between its highest look, sin(75 deg) = 0.966, and the next one.
+  std::vector<double> phases, swings;
+  for (int k = 0; k < 40; ++k)
+    phases.push_back((15 + 30 * k) * std::numbers::pi / 180), swings.push_back(std::sin(phases.back()));
+  EXPECT_NEAR(first_passing(phases, swings, 0.99).value_or(0), std::asin(0.99),
+              1e-5);  // a polynomial near the end of the looks
+  EXPECT_FALSE(first_passing(phases, swings, 1.001));
 }
 
 }  // namespace

@@ -155,6 +155,18 @@ TEST(MotionReport, PointsSideBySideHaveTheSameFigures) {
   }
 }
 
+/// The time of falling of a point of a study, which looks at few times, is that of a run by itself.
+TEST(MotionReport, APointThatLooksAtFewTimesTellsWhenItFalls) {
+  const Pendulum body{5e-3, 1e-3, 0.06};
+  const RunResult alone =
+      run_of(body, R"("tilt_deg": 2, "azimuth_deg": 33, "spin_rad_s": 20)", 2, R"(, "report": {"until_tilt_deg": 60})");
+  const std::vector<BatchOutcome> points = run_batch({&alone.scene, 1}, {}, false);
+  ASSERT_TRUE(points[0].result && points[0].result->motion->tilt->rotating_bound_s);
+  const MotionReport::Reached &here = *points[0].result->motion->tilt, &there = *alone.motion->tilt;
+  EXPECT_TRUE(here.rotating_is_sure);
+  EXPECT_LE(std::abs(*here.rotating_s - *there.rotating_s), *here.rotating_bound_s + *there.rotating_bound_s);
+}
+
 /// The ellipse of a state is the same at all times of an undisturbed motion, and its azimuth goes evenly: in 113 bits.
 TEST(Swing, IsConstantAlongTheClosedForm) {
   const SymmetricTop<float128> pendulum{float128(2), float128(0.3), float128(-7)};
