@@ -21,7 +21,7 @@ inline constexpr double kWholeTurn = 2 * std::numbers::pi;  // rad
 /// The measured times (s), each once, ascending; the first is that of the release, 0.
 std::vector<double> measured_times(const Measurement& measurement);
 
-/// What of a motion is wanted beside body axis 3; each costs something.
+/// The parts of a motion that are wanted beside body axis 3; each costs something.
 struct Sought {
   bool drift = false;         ///< the non-rotating prediction as well, which makes the work threefold
   bool rates = false;         ///< rates, and with them the spin

@@ -47,7 +47,7 @@ std::vector<PredictedAxis> means_of(const std::vector<PredictedAxis>& axes, std:
   using enum MeasuredQuantity;
   std::vector<PredictedAxis> means;
   for (std::size_t begin = 0; begin + each <= axes.size(); begin += each) {
-    // What does not swing as the axis does has the value in the middle.
+    // A part that does not swing as the axis does has the value in the middle.
     PredictedAxis mean = axes[begin + each / 2];
     mean.t_s = (axes[begin].t_s + axes[begin + each - 1].t_s) / 2;
     mean.n_M.setZero();

@@ -11,7 +11,7 @@
 
 namespace earthtop::measure {
 
-/// What a quantity is: the units follow from it.
+/// The kind of number that a quantity is: the units follow from it.
 enum class Dimension : std::uint8_t { angle, rate, length, duration };
 
 /// A unit in which a quantity may be measured, by the end of its columns' names.

@@ -9,10 +9,10 @@ namespace earthtop::figure_table {
 
 inline const MotionReport::OfSwing& swing(R r) { return *r.motion->swing; }
 
-/// What is finite; else null.
+/// A finite number as it is; else null.
 inline Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-/// What is reported on wish; left out without the wish.
+/// A number that is reported on wish; left out without the wish.
 template <auto wish, auto member>
 Json if_asked(R r) {
   return r.motion && (*r.motion).*wish ? json_from((*((*r.motion).*wish)).*member) : kLeftOut;

@@ -101,7 +101,7 @@ ReachedTime first_reached(const LookSource& source, const EvenLooks& looks, cons
     left_s = there[0] / slope;
     *reached.t_s -= left_s;
   }
-  // What the error may change: by the slope; or more, where an earlier swing nearly comes to the level, or the later part hardly does.
+  // The error may move the time: by the slope; or farther, where an earlier swing nearly comes to the level, or the later part hardly does.
   if (!looks.resolved || !early || !late) return reached;
   double error_s = kCurved * bound / slope + std::abs(left_s);
   if (*reached.t_s - *early > step_s) error_s = std::max(error_s, *reached.t_s - *early);
@@ -171,7 +171,7 @@ class SwingTeller {
   }
 
  private:
-  /// That of the axis's rate in the laboratory: the error of the rate across the axis, and the turn of the body's axes.
+  /// The error of the axis's rate in the laboratory: the error of the rate across the axis, and the turn of the body's axes.
   double rate_error(const SwingState& state) const {
     return bounds_.rate_rad_s + bounds_.attitude_rad * real::hypot(state.numbers[3], state.numbers[4], state.numbers[5]);
   }
@@ -180,7 +180,7 @@ class SwingTeller {
   MotionBounds bounds_;
 };
 
-/// What one motion tells of its swing.
+/// The swing that one motion tells of.
 struct ToldSwing {
   BoundedNumber major_start, minor_start, major_end, minor_end, plane_rate;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run tells of the motions themselves: the spin at the end, when spin and tilt come to given values, the swing of a pendulum.
+/// A run's report on the motions themselves: the spin at the end, when spin and tilt come to given values, the swing of a pendulum.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tachometer and a stopwatch tell of a ball gyroscope.
+// A tachometer and a stopwatch tell of a ball gyroscope.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,8 @@ TEST(BallGyroscope, ATachometerTellsItsFriction) {
                         {{}, {"spin_rpm=10"}}),
       options);
   ASSERT_EQ(fit.fit, FitOutcome::converged) << fit.fit_reason;
-  EXPECT_NEAR(*fit.estimates[0].estimate, 2.8265e-6, 0.0005e-6);       // by quadrature of the same equations, to these digits
+  EXPECT_NEAR(*fit.estimates[0].estimate, 2.8265e-6,
+              0.0005e-6);  // least squares of 1000 exp(-k t / I3) by itself, to these digits
   EXPECT_NEAR(*fit.estimates[0].standard_error, 0.053e-6, 0.0005e-6);  // likewise
 }
 

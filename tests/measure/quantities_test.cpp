@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What instruments write besides angles: spins, rates along body axes, turning points, periods, passages, the ellipse of a swing. Each
+// Instruments write more than angles: spins, rates along body axes, turning points, periods, passages, the ellipse of a swing. Each
 // is held against a closed form, or against the rows of a run.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,6 +23,8 @@ namespace {
 using namespace test;
 
 constexpr double kI1 = 6e-4, kI3 = 5e-4;
+/// Errors of double integrations to 1e-12: of angles over minutes (rad), of rates of some hundred rad/s, of times of some ten seconds.
+constexpr double kAngleError = 1e-10, kRateError = 1e-9, kTimeError_s = 1e-9;
 constexpr double kSpin = 90, kTorque = 0.1 * 9.8 * 0.03;  // rad/s, N m
 
 /// A symmetric top; on an Earth that does not rotate, and released at rest, unless something else is said.
@@ -44,7 +46,7 @@ void expect_none(const std::vector<MeasurementResidual>& all, std::size_t count,
   for (const MeasurementResidual& one : all) EXPECT_LT(std::abs(one.residual), within) << one.quantity << " at " << one.t_s;
 }
 
-/// Of a free symmetric body on the rotating Earth: its inertial rate about axis 3 stays, and that across it turns in the body at (I1 - I3) / I1
+/// A free symmetric body on the rotating Earth: its inertial rate about axis 3 stays, and that across it turns in the body at (I1 - I3) / I1
 /// times that rate.
 TEST(MeasuredRates, InertialRatesOfAFreeBodyAreEulers) {
   const std::string scenario =
@@ -95,16 +97,16 @@ TEST(MeasuredRates, ASpinFallsExponentially) {
                                    R"("rotation_rate_rad_s": 0)", 0);
   std::string csv = "t_s,spin_rpm,spin_se_rpm\n";
   for (int k = 0; k <= 5; ++k) csv += fmt::format("{},{},10\n", 30 * k, 1000 * std::exp(-2e-5 / 1e-3 * 30.0 * k));
-  expect_none(residuals(scenario, csv), 6, 1e-9);  // of 105 rad/s
+  expect_none(residuals(scenario, csv), 6, kRateError);
   // A tachometer that shows 2 % more, and 1 rad/s at rest.
   const auto shown =
       compare_with_measurement({"top.json", scenario}, {{"/instrument", R"({"spin_scale": 1.02, "spin_bias_rad_s": 1})"}},
                                parse_measurement("m.csv", csv));
-  EXPECT_NEAR(shown.residuals[0].residual, -1 - 0.02 * 1000 * kPi / 30, 1e-9);  // of 105 rad/s, a double integration
+  EXPECT_NEAR(shown.residuals[0].residual, -1 - 0.02 * 1000 * kPi / 30, kRateError);
   const auto turned =
       compare_with_measurement({"top.json", scenario}, {{"/instrument", R"({"w_z_bias_rad_s": 2, "w_scale": 0.5})"}},
                                parse_measurement("m.csv", "t_s,w_LB_B_z_rpm\n0,1000\n", {{}, {"w_LB_B_z_rpm=1"}}));
-  EXPECT_NEAR(turned.residuals[0].residual, 500 * kPi / 30 - 2, 1e-9);  // likewise
+  EXPECT_NEAR(turned.residuals[0].residual, 500 * kPi / 30 - 2, kRateError);
 }
 
 /// A top that is released at rest falls to u = L - sqrt(L^2 - 2 L u0 + 1) and comes back, with u = cos(tilt) and L = (I3 w)^2 / (4 I1 m g l).
@@ -118,7 +120,7 @@ TEST(TurningPoints, OfACuspedTopAreRootsOfItsEnergy) {
     csv += fmt::format("{},{},{}\n", (k + 0.1) * half_s, k % 2 == 0 ? 40 : lowest_deg, k % 2 == 0 ? "min" : "max");
   csv += fmt::format("{},{},\n", 9.3 * half_s, lowest_deg);  // the next one in time
   const auto found = residuals(scenario, csv, {{}, {"tilt_turning_deg=1"}});
-  expect_none(found, 10, 1e-10);
+  expect_none(found, 10, kAngleError);
   EXPECT_EQ(found.back().quantity, "tilt_turning");
 }
 
@@ -133,10 +135,10 @@ TEST(TurningPoints, OfACompassAreAsFarFromNorthOnBothSides) {
       csv += fmt::format("{},{},1,{}\n", k * half_s, k % 2 == 0 ? 20 : -20, k % 2 == 0 ? "max" : "min");
     return residuals(scenario, csv);
   };
-  expect_none(turning(""), 5, 1e-10);
+  expect_none(turning(""), 5, kAngleError);
   // A circle that is read the other way round has its largest readings where the azimuth is least; its zero is off by 3 degrees.
   for (const MeasurementResidual& one : turning(R"(, "instrument": {"azimuth_reversed": true, "azimuth_zero_deg": 3})"))
-    EXPECT_NEAR(one.residual, -3 * kDegree, 1e-10);  // rad, where a double integration to 1e-12 ends after a minute
+    EXPECT_NEAR(one.residual, -3 * kDegree, kAngleError);
 }
 
 /// A steady precession goes round in 2 pi over its rate, the root of I1 cos(tilt) x^2 - I3 w x + m g l.
@@ -148,13 +150,13 @@ TEST(Passages, OfASteadyPrecessionAreEvenlySpaced) {
   csv += fmt::format("0,{},{},1\n3,{},{},0.25\n", turn_s, turn_s, turn_s, turn_s / 4);
   csv += fmt::format("{},{},{},\n", 4.02 * turn_s, turn_s, 4 * turn_s);  // as many turns as fit best
   const auto found = residuals(scenario, csv, {{}, {"precession_period_s=0.1", "passage_s=0.1"}});
-  expect_none(found, 6, 1e-9);  // of some ten seconds
+  expect_none(found, 6, kTimeError_s);
   // Times by a clock that is fast by a thousandth.
   const auto fast =
       compare_with_measurement({"top.json", scenario}, {{"/instrument", R"({"clock_rate": 1.001})"}},
                                parse_measurement("m.csv", csv, {{}, {"precession_period_s=0.1", "passage_s=0.1"}}));
-  EXPECT_NEAR(fast.residuals[0].residual, -0.001 * turn_s, 1e-9);  // of 10 s
-  EXPECT_NEAR(fast.reached_s, 5.02 * turn_s, 1e-9);                // of 50 s
+  EXPECT_NEAR(fast.residuals[0].residual, -0.001 * turn_s, kTimeError_s);
+  EXPECT_NEAR(fast.reached_s, 5.02 * turn_s, kTimeError_s);
 }
 
 /// On the Earth a top with nutation passes when its rows say so.
@@ -176,7 +178,7 @@ TEST(Passages, AreThoseOfARun) {
   EXPECT_LT(std::abs(found.at(0).residual), 2e-5);  // of the straight line between two rows
 }
 
-/// Of an undisturbed pendulum, semi-axes and apsidal rate stay; where it turns back, the swing's plane is that of its axis.
+/// An undisturbed pendulum keeps its semi-axes and its apsidal rate; where it turns back, the swing's plane is that of its axis.
 TEST(Swings, OfASphericalPendulumStayAndTurnEvenly) {
   const std::string scenario = top(R"("tilt_deg": 12, "azimuth_deg": 30, "spin_rad_s": 0, "precession": {"rate_rad_s": 1.5})",
                                    "", R"("rotation_rate_rad_s": 0)", -0.03);
@@ -229,7 +231,7 @@ TEST(MeasuredQuantities, DocumentsAndPicturesHaveTheirUnits) {
   EXPECT_EQ(figure.panels[4].y.unit, "s");
 }
 
-/// What a plan simulates is read back, and fits the numbers that it was made with.
+/// Simulated data are read back, and fits the numbers that it was made with.
 TEST(MeasuredQuantities, SimulatedOnesFitWhatTheyWereMadeWith) {
   struct Arrangement {
     std::string scenario;

@@ -66,7 +66,7 @@ TEST_F(TablesTest, SensesByOneWord) {
   read_as("tilt_deg:from_down", 150, tilt, 30);
   read_as("drift_tilt_deg:reversed", 3, drift_tilt, -3);
   read_as("swing_azimuth_deg:mathematical", 60, swing_azimuth, 30);
-  // What is largest as read is least as meant.
+  // The largest number as read is the least as meant.
   const Measurement m =
       read("t_s,a,extreme\n0,60,max\n1,20,min\n2,20,\n", {{"a=azimuth_turning_deg:mathematical"}, {"azimuth_turning_deg=1"}});
   ASSERT_EQ(m.values.size(), 3u);

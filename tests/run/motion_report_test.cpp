@@ -21,6 +21,10 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180, kOmega = 7.292115e-5;
 
+/// Bounds are no wider than this, so that they say something: some hundred times the rounding of numbers of the order of 1, more over
+/// minutes; of rates over a minute; of the release.
+constexpr double kNarrow = 1e-9, kNarrowRate = 1e-11, kNarrowRelease = 1e-12;
+
 using testing::Pendulum, testing::run_of;
 
 SymmetricTop<float128> exact_of(const Pendulum& body) {
@@ -38,9 +42,9 @@ TEST(MotionReport, SpinDown) {
   const RunResult result = run_of({5e-4, I3, 0}, R"("tilt_deg": 0, "spin_rad_s": 120)", 40,
                                   R"(, "effects": {"viscous_torque_N_m_s": 2e-5}, "report": {"until_spin_rad_s": 50})");
   ASSERT_TRUE(result.motion);
-  expect_within(result.motion->spin_end_rad_s.rotating, 120 * std::exp(-k * 40 / I3), 1e-9);
+  expect_within(result.motion->spin_end_rad_s.rotating, 120 * std::exp(-k * 40 / I3), kNarrow);
   const auto& spin = *result.motion->spin;
-  expect_within({*spin.rotating_s, *spin.rotating_bound_s}, I3 / k * std::log(120.0 / 50), 1e-9);
+  expect_within({*spin.rotating_s, *spin.rotating_bound_s}, I3 / k * std::log(120.0 / 50), kNarrow);
   EXPECT_FALSE(result.motion->tilt);
   EXPECT_FALSE(result.motion->swing);
   EXPECT_EQ(summary_part(result, "motion.spin_reached_s"), *spin.rotating_s);
@@ -63,7 +67,7 @@ TEST(MotionReport, TimeOfFalling) {
                                     R"(, "report": {"until_tilt_deg": 60})");
     ASSERT_TRUE(result.motion->tilt->rotating_s) << spin;
     const double t_s = *result.motion->tilt->rotating_s, bound_s = *result.motion->tilt->rotating_bound_s;
-    EXPECT_LT(bound_s, 1e-9);  // s, where the tilt changes by some rad/s
+    EXPECT_LT(bound_s, kNarrow);
     EXPECT_EQ(t_s, *result.motion->tilt->reference_s);
     const Release<float128>& release = result.scene.release<float128>();
     const LagrangeTop<float128> exact(exact_of(body), release.q_LB, release.w_XB_B);
@@ -91,11 +95,11 @@ TEST(MotionReport, AiryAndBeyond) {
     const auto rates = mean_rates(top_constants(exact_of(body), release.q_LB, release.w_XB_B));
     ASSERT_TRUE(rates);
     const double apsidal = -(rates->precession_rad_s - rates->nutation_rad_s / 2);
-    expect_within(swing.plane_rate_rad_s.rotating, apsidal, 1e-11);
-    expect_within(swing.plane_rate_rad_s.reference, apsidal, 1e-11);
-    expect_within(swing.major_start_rad.rotating, amplitude_deg * kDegree, 1e-12);
-    expect_within(swing.major_end_rad.rotating, amplitude_deg * kDegree, 1e-9);
-    expect_within(swing.minor_end_rad.rotating, swing.minor_start_rad.rotating.value, 1e-9);
+    expect_within(swing.plane_rate_rad_s.rotating, apsidal, kNarrowRate);
+    expect_within(swing.plane_rate_rad_s.reference, apsidal, kNarrowRate);
+    expect_within(swing.major_start_rad.rotating, amplitude_deg * kDegree, kNarrowRelease);
+    expect_within(swing.major_end_rad.rotating, amplitude_deg * kDegree, kNarrow);
+    expect_within(swing.minor_end_rad.rotating, swing.minor_start_rad.rotating.value, kNarrow);
     EXPECT_LT(swing.minor_end_rad.rotating.value, 0);  // released counterclockwise
     if (amplitude_deg < 4) {
       const double a = amplitude_deg * kDegree, b = -swing.minor_end_rad.rotating.value;
@@ -193,7 +197,7 @@ TEST(Swing, IsConstantAlongTheClosedForm) {
   }
 }
 
-/// What is no swing has none.
+/// A top that stays up has no swing.
 TEST(Swing, IsNoneOfATopThatStaysUp) {
   const SymmetricTop<double> top{1e-3, 5e-4, 0.05};
   EXPECT_FALSE(swing_of(top, Vec3<double>(0.5, 0, std::sqrt(0.75)), Vec3<double>(0, 0.1, 0), 200.0, 0.0));
