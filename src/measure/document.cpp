@@ -90,11 +90,13 @@ bool is_in_curves(const QuantityRow& row) { return row.feature == Feature::value
 Json curve_json(const std::vector<CurvePoint>& curve, bool is_mean) {
   if (curve.empty()) return nullptr;
   Json json = {{"mean", is_mean}};
-  for (const CurvePoint& point : curve) json["t_s"].push_back(point.t_s);
+  Json& times = json["t_s"] = Json::array();
+  for (const CurvePoint& point : curve) times.push_back(point.t_s);
   for (const QuantityRow& row : quantity_rows()) {
     const auto known = [&](const CurvePoint& point) { return std::isfinite(shown(point, row)); };
     if (!is_in_curves(row) || std::none_of(curve.begin(), curve.end(), known)) continue;
-    for (const CurvePoint& point : curve) json[curve_column(row)].push_back(shown(point, row));
+    Json& values = json[curve_column(row)] = Json::array();
+    for (const CurvePoint& point : curve) values.push_back(shown(point, row));
   }
   return json;
 }

@@ -86,6 +86,7 @@ std::string plan_json(const PlanReport& report) {
                    {"advice", report.advice},
                    {"optimum", report.optimum ? optimum_json(*report.optimum) : Json(nullptr)},
                    {"notes", report.notes}};
+  if (!report.releases.empty()) document["releases"] = Json::array();
   for (const ReleasePlan& release : report.releases)
     document["releases"].push_back({{"scenario", {{"name", release.scenario_name}, {"sha256", release.scenario_sha256}}},
                                     {"standard_error_alone", or_nothing(release.standard_error)}});

@@ -91,11 +91,13 @@ Json plot_json(const Figure& figure) {
 
 Json chart_json(const Figure& drawn, const std::vector<double>& x, const std::vector<Series>& list) {
   Json json = plot_json(drawn);
-  for (const double value : x) json["x"].push_back(short_number(value));
+  Json& list_x = json["x"] = Json::array();
+  for (const double value : x) list_x.push_back(short_number(value));
+  Json& list_series = json["series"] = Json::array();
   for (const Series& series : list) {
     Json y = Json::array();
     for (const double value : series.y) y.push_back(short_number(value));
-    json["series"].push_back({{"label", series.label}, {"unit", series.unit}, {"y", std::move(y)}});
+    list_series.push_back({{"label", series.label}, {"unit", series.unit}, {"y", std::move(y)}});
   }
   return json;
 }

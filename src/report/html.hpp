@@ -68,7 +68,7 @@ class Page {
   std::string drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table);
 
   std::string title_, headline_, verdict_, navigation_, sections_;
-  Json data_;
+  Json data_ = Json::object();
   std::vector<std::pair<std::string, std::string>> pictures_;
   std::vector<std::string> notes_;
 };

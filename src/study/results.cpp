@@ -83,8 +83,10 @@ Json axes_json(const Study& study) {
     if (axis.range)
       json[axis.range->logarithmic ? "log_range" : "range"] = {
           {"from", axis.range->from}, {"to", axis.range->to}, {"points", axis.range->points}};
-    else if (axis.levels.size() <= kMostListedValues)
-      for (const auto& level : axis.levels) json["values"].push_back(json_of(level.front()));
+    else if (axis.levels.size() <= kMostListedValues) {
+      Json& values = json["values"] = Json::array();
+      for (const auto& level : axis.levels) values.push_back(json_of(level.front()));
+    }
     axes.push_back(std::move(json));
   }
   return axes;

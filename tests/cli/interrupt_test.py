@@ -188,9 +188,11 @@ def check(name, arguments, number, at_s, second=False):
 def what_is_said():
     """What a run says that is interrupted early, or while it checks or writes, and that this is so."""
     name = scene("asymmetric-top", motion__duration_s=60, motion__output_step_s=0.0006)
-    command = [TOOL, "run", name, "--out", "said", "--jobs", "1", "--quiet", "--force"]
-    whole_s = Interrupted(command, signal.SIGTERM, 1e3, ".").at_s
-    files = sorted(os.listdir("said"))
+    command = [TOOL, "run", name, "--out", "said", "--jobs", "1", "--force"]
+    files, whole_s = [], {}
+    for option in ("--partial", "--quiet"):  # the rows are made in another order with --partial
+        whole_s[option] = Interrupted([*command, option], signal.SIGTERM, 1e3, ".").at_s
+        files = sorted(os.listdir("said"))
     with open("said/trajectory.csv", encoding="utf-8") as file:
         rows = sum(1 for _ in file)
     early = re.compile(r"interrupted at t = ([0-9.e+-]+) s of 60 s; nothing was written; the same command starts again\n")
@@ -200,10 +202,12 @@ def what_is_said():
     kept = {"earthtop: error: interrupted; the rows are whole, but without error bounds and verdict, in said": "interrupted",
             "earthtop: error: interrupted; but the results are whole, in said": "completed"}
     missing = nothing | set(kept) | {"interrupted at"}
-    for share in (0.1, 0.6, 0.95, 0.5, 0.7, 0.9, 0.97, 0.4, 0.8, 0.85):
-        for partial in ([], ["--partial"]):
+    for number in range(1, 64):
+        share = int(f"{number:06b}"[::-1], 2) / 64  # ever finer, until each sentence was met
+        for option, whole in whole_s.items():
+            partial = option == "--partial"
             shutil.rmtree("said", ignore_errors=True)
-            done = Interrupted([*command, *partial], signal.SIGTERM, share * whole_s, ".")
+            done = Interrupted([*command, option], signal.SIGTERM, share * whole, ".")
             if done.after_s is None:
                 continue
             said = [one for one in nothing | set(kept) if one + "\n" in done.err]
@@ -218,9 +222,9 @@ def what_is_said():
                 with open("said/summary.json", encoding="utf-8") as file:
                     status = json.load(file)["outcome"]["status"]
                 with open("said/trajectory.csv", encoding="utf-8") as file:
-                    whole = sum(1 for _ in file) == rows and sorted(os.listdir("said")) == files
-                if status != kept[said[0]] or not whole:
-                    fault(f"what is said at {share:.0%}: {said[0]}, and yet {status}, {'' if whole else 'not '}whole")
+                    complete = sum(1 for _ in file) == rows and sorted(os.listdir("said")) == files
+                if status != kept[said[0]] or not complete:
+                    fault(f"what is said at {share:.0%}: {said[0]}, and yet {status}, {'' if complete else 'not '}whole")
         if not missing:
             return
     fault(f"never said: {missing}")
