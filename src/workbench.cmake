@@ -21,7 +21,10 @@ add_library(earthtop-workbench
   compare/compare.cpp
   compare/conclusion.cpp
   compare/cost.cpp
+  compare/diagnosis.cpp
   compare/document.cpp
+  compare/engine_fit.cpp
+  compare/evidence.cpp
   compare/fields.cpp
   compare/figure.cpp
   compare/figures.cpp
@@ -29,7 +32,9 @@ add_library(earthtop-workbench
   compare/interpolate.cpp
   compare/junit.cpp
   compare/mapping.cpp
+  compare/mistakes.cpp
   compare/pairing.cpp
+  compare/reading.cpp
   compare/replacement.cpp
   compare/row.cpp
   compare/row_source.cpp

@@ -10,6 +10,7 @@
 
 #include "compare/common_end.hpp"
 #include "compare/cost.hpp"
+#include "compare/diagnosis.hpp"
 #include "compare/figures.hpp"
 #include "compare/hints.hpp"
 #include "compare/replacement.hpp"
@@ -149,12 +150,13 @@ void compare_summaries(const Comparand& reference, const Comparand& candidate, c
 }
 
 /// @param longer  for runs of unlike lengths, of which one side is its `comparand`; else null
-void compare_up_to_end(const Comparand& reference, const Comparand& candidate, const LongerRun* longer,
+void compare_up_to_end(const Comparand& reference, const Comparand& candidate, const LongerRun* longer, const Mapping* mapping,
                        const CompareOptions& options, PairReport& report) {
   RowsContext context;
   find_attitude_errors(reference, candidate, context);
   context.natural_rate_rad_s = std::max(natural_rate(reference), natural_rate(candidate));
   context.both_runs = reference.has_summary() && candidate.has_summary();
+  context.is_file = !candidate.has_summary();
   context.same_scenario = report.findings.empty() && context.both_runs &&
                           reference.word("/provenance/scenario_sha256") == candidate.word("/provenance/scenario_sha256");
   if (longer) context.end_s = longer->end.t_s;
@@ -165,11 +167,28 @@ void compare_up_to_end(const Comparand& reference, const Comparand& candidate, c
   }
   context.same_computation = context.same_scenario && !magnifies_rounding(reference) && !magnifies_rounding(candidate);
   if (options.tolerances.profile != Profile::bitwise) report.until_s = context.trust.until_s();
-  RowsComparison rows = compare_rows(reference, candidate, context, options);
+  RowsComparison rows;
+  try {
+    rows = compare_rows(reference, candidate, context, options);
+  } catch (const ScenarioError& refusal) {
+    // Times in another unit lie where the reference tells nothing.
+    if (!context.is_file) throw;
+    report.hints = other_time_unit(reference, candidate, mapping ? *mapping : Mapping(), options);
+    if (report.hints.empty()) throw;
+    report.findings.push_back({"other times", refusal.what()});
+    return;
+  }
   report.rows = rows.rows;
+  report.span = rows.span;
   const bool differs =
       std::any_of(rows.quantities.begin(), rows.quantities.end(), [](const QuantityVerdict& q) { return !q.passed; });
-  if (differs) report.hints = hints(rows.seen);
+  const bool misses = std::any_of(rows.findings.begin(), rows.findings.end(), [](const CompareFinding& finding) {
+    return finding.kind == "extra rows" || finding.kind == "part of the time";
+  });
+  if (differs || (context.is_file && misses))
+    report.hints = diagnose(reference, candidate, mapping ? *mapping : Mapping(), rows, options);
+  if (differs)
+    for (std::string& hint : hints(rows.seen)) report.hints.push_back(std::move(hint));
   append(std::move(rows), report);
   if (reference.open_torques && candidate.open_torques)
     append(compare_torques(reference, candidate, context, options), report);
@@ -180,15 +199,21 @@ void compare_up_to_end(const Comparand& reference, const Comparand& candidate, c
   if (context.both_runs) compare_summaries(reference, candidate, context, longer, options, report);
 }
 
-void compare_runs(const Comparand& reference, const Comparand& candidate, const CompareOptions& options, PairReport& report) {
+void compare_runs(const Comparand& reference, const Comparand& candidate, const Mapping* mapping, const CompareOptions& options,
+                  PairReport& report) {
   require_assessed(reference);
   require_assessed(candidate);
+  if (options.until_s && candidate.has_summary())
+    throw ScenarioError("",
+                        "--until belongs to a CSV file; two results are compared to their common end, where --allow-change "
+                        "/motion/duration_s allows unlike lengths");
   compare_scenarios(reference, candidate, options, report);
   const std::optional<LongerRun> longer = find_common_end(reference, candidate, options);
   if (longer) report.common_end = longer->end;
   const bool reference_goes_on = longer && longer->end.reference_goes_on;
   compare_up_to_end(reference_goes_on ? longer->comparand : reference,
-                    longer && !reference_goes_on ? longer->comparand : candidate, longer ? &*longer : nullptr, options, report);
+                    longer && !reference_goes_on ? longer->comparand : candidate, longer ? &*longer : nullptr, mapping, options,
+                    report);
   options.watch.reach(1);
   report.cost = compare_cost(reference, candidate, options.tolerances, report.findings);
 }
@@ -210,13 +235,15 @@ PairReport compare_pair(const fs::path& reference, const fs::path& candidate, co
   const bool has_limit = options.tolerances.steps_ratio || options.tolerances.seconds_ratio;
   if (has_limit && (old_kind == ComparandKind::store || old_kind == ComparandKind::csv || new_kind == ComparandKind::csv))
     throw ScenarioError("", "a limit on the cost needs results of `run` on both sides, since only these state their cost");
+  if (options.until_s && (old_kind == ComparandKind::store || new_kind == ComparandKind::store))
+    throw ScenarioError("", "--until belongs to a CSV file; studies have no rows over time");
   if (old_kind == ComparandKind::store)
     compare_stores(reference, candidate, options, report);
   else if (mapping && old_kind != ComparandKind::csv && new_kind != ComparandKind::csv)
     throw ScenarioError("", "--mapping says what the columns of a CSV file mean, but neither of the two is a CSV file");
   else {
     const Comparand sides[] = {open_comparand(reference, mapping), open_comparand(candidate, mapping)};
-    compare_runs(sides[0], sides[1], options, report);
+    compare_runs(sides[0], sides[1], mapping, options, report);
     for (const Comparand& side : sides)
       for (const fs::path& path : side.unverified) report.unverified.push_back(unverified(path));
   }

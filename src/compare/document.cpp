@@ -64,6 +64,9 @@ Json pair_json(const PairReport& pair) {
           {"notes", std::move(notes)},
           {"hints", pair.hints},
           {"rows_compared", pair.rows},
+          {"rows_of_reference", pair.span.of},
+          {"compared_from_s", pair.rows > 0 && !pair.span.are_points ? Json(pair.span.from_s) : Json()},
+          {"compared_to_s", pair.rows > 0 && !pair.span.are_points ? Json(pair.span.to_s) : Json()},
           {"compared_until_s", number_or_null(pair.until_s)},
           {"common_end_s", pair.common_end ? Json(pair.common_end->t_s) : Json()},
           {"left_out", std::move(left_out)},
@@ -73,6 +76,25 @@ Json pair_json(const PairReport& pair) {
 
 }  // namespace
 }  // namespace compare
+
+std::string engine_fit_json(const EngineFit& fit) {
+  using compare::Json;
+  Json numbers = Json::array();
+  for (const EngineFit::Number& number : fit.numbers)
+    numbers.push_back({{"name", number.name},
+                       {"unit", number.unit},
+                       {"scenario", number.given},
+                       {"estimate", compare::number_or_null(number.estimate)}});
+  const Json document = {{"$schema", "earthtop-engine-fit-1.json"},
+                         {"scenario", fit.scenario},
+                         {"file", fit.file},
+                         {"rows", fit.rows},
+                         {"rms_given_rad", fit.given_rms_rad},
+                         {"rms_fitted_rad", compare::number_or_null(fit.fitted_rms_rad)},
+                         {"reason", compare::text_or_null(fit.reason)},
+                         {"estimates", std::move(numbers)}};
+  return sealed_document(document);
+}
 
 std::string comparison_json(const CompareReport& report) {
   using compare::Json;

@@ -27,6 +27,8 @@ constexpr Field kMappingFields[] = {
     {"/time/column", text, "", kFree, "", "", "its name in the header line", kIsNeeded},
     {"/time/unit", word, "", kFree, "s|ms|us|min|h", "\"s\"", "unit"},
     {"/time/offset_s", number, "s", kFree, "", "0", "added to the times, so that the release is at 0"},
+    {"/time/repeated", word, "", kFree, "refused|first|last", "\"refused\"",
+     "which of several rows at one time counts; some tools write one before and one after an event"},
     {"/quaternion", object, "", kFree, "", "", "attitude"},
     {"/quaternion/columns", anything, "", kFree, "", "", "names of the four columns", kIsNeeded},
     {"/quaternion/order", word, "", kFree, "wxyz|xyzw", "\"wxyz\"", "which of them is the scalar part"},

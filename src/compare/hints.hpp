@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Guesses at the cause of a large difference: conventions that are often mixed up.
+/// Guesses at the cause of a large difference from its numbers alone: another unit, an opposite sign, shifted rows.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace earthtop::compare {
 
-/// One line of text for each mix-up of conventions that explains the differences; empty where none does.
+/// One line of text for each guess that explains the differences of a quantity other than those of `diagnose`; empty where none does.
 /// @param seen  the first rows of both results, paired by time
 std::vector<std::string> hints(std::span<const SeenPair> seen);
 

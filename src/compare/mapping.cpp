@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "compare/fields.hpp"
@@ -110,18 +111,37 @@ std::optional<std::array<std::string, 3>> three_columns(const Section& section) 
   return std::array{words[0], words[1], words[2]};
 }
 
-struct Unit {
-  std::string_view word;
-  double value;
-};
-constexpr Unit kTimeUnits[] = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
+constexpr NamedUnit kTimeUnits[] = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}, {"h", 3600}};
 constexpr double kTurn = 6.283185307179586;
-constexpr Unit kRateUnits[] = {{"rad/s", 1}, {"deg/s", kTurn / 360}, {"rev/s", kTurn}, {"rpm", kTurn / 60}};
+constexpr NamedUnit kRateUnits[] = {{"rad/s", 1}, {"deg/s", kTurn / 360}, {"rev/s", kTurn}, {"rpm", kTurn / 60}};
 
-double unit_value(std::span<const Unit> units, const std::optional<std::string>& word) {
-  for (const Unit& unit : units)
+double unit_value(std::span<const NamedUnit> units, const std::optional<std::string>& word) {
+  for (const NamedUnit& unit : units)
     if (word == unit.word) return unit.value;
   return 1;
+}
+
+/// The unit of this value, to a relative error.
+std::optional<NamedUnit> unit_for(std::span<const NamedUnit> units, double value, double error) {
+  for (const NamedUnit& unit : units)
+    if (std::abs(value / unit.value - 1) < error) return unit;
+  return std::nullopt;
+}
+
+std::string words_on(const AxisTurn& turn, std::span<const FrameName> names, std::span<const AxisWord> words) {
+  std::array<std::string_view, 3> given;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const AxisWord& word : words)
+      if (word.index == turn.index[i] && word.sign == turn.sign[i]) given[i] = word.word;
+  std::string text;
+  for (std::string_view word : given) {
+    std::string shown(word);
+    if (shown[0] >= 'a' && shown[0] <= 'z') shown[0] = static_cast<char>(shown[0] - 'a' + 'A');
+    text += (text.empty() ? "" : ", ") + shown;
+  }
+  for (const FrameName& frame : names)
+    if (frame.words == given) text += fmt::format(" (\"{}\")", frame.name);
+  return text;
 }
 
 Mapping decode_mapping(const Section& root) {
@@ -131,6 +151,8 @@ Mapping decode_mapping(const Section& root) {
   if (root.require("time") && time.require("column")) mapping.time_column = time.word("column").value_or("");
   mapping.time_unit_s = unit_value(kTimeUnits, time.word("unit"));
   mapping.time_offset_s = time.number("offset_s").value_or(0);
+  if (const auto repeated = time.word("repeated"); repeated && *repeated != "refused")
+    mapping.repeated = *repeated == "first" ? RepeatedTime::first : RepeatedTime::last;
 
   if (root.has("quaternion")) {
     const Section quaternion = root.section("quaternion");
@@ -160,6 +182,38 @@ Mapping decode_mapping(const Section& root) {
 }
 
 }  // namespace
+
+Eigen::Matrix3d matrix_of(const AxisTurn& turn) {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < 3; ++i) matrix(static_cast<int>(turn.index[i]), static_cast<int>(i)) = turn.sign[i];
+  return matrix;
+}
+
+const std::vector<AxisTurn>& all_turns() {
+  static const std::vector<AxisTurn> all = [] {
+    std::vector<AxisTurn> turns;
+    AxisTurn turn;
+    do
+      for (unsigned signs = 0; signs < 8; ++signs) {
+        for (unsigned i = 0; i < 3; ++i) turn.sign[i] = (signs >> i & 1U) != 0 ? -1 : 1;
+        if (is_right_handed(turn)) turns.push_back(turn);
+      }
+    while (std::next_permutation(turn.index.begin(), turn.index.end()));
+    return turns;
+  }();
+  return all;
+}
+
+std::string world_words(const AxisTurn& turn) { return words_on(turn, kWorldNames, kWorldWords); }
+std::string body_words(const AxisTurn& turn) { return words_on(turn, kBodyNames, kBodyWords); }
+std::optional<NamedUnit> time_unit_for(double unit_s, double ratio) {
+  constexpr double kSameEnd = 0.05;  // a file may end a little earlier
+  return unit_for(kTimeUnits, unit_s / ratio, kSameEnd);
+}
+std::optional<NamedUnit> rate_unit_for(double unit_rad_s, double ratio) {
+  constexpr double kSameRates = 1e-3;
+  return unit_for(kRateUnits, unit_rad_s / ratio, kSameRates);
+}
 
 Mapping read_mapping(const std::string& file) {
   const std::string content = read_regular_file(file, file, {"mapping file", false});

@@ -60,6 +60,9 @@ struct PairingCounts {
   double first_missing_s = 0;         ///< the first of them all
   double first_outside_s = 0;         ///< the first of those outside
   std::uint64_t beyond = 0;           ///< rows of the candidate outside the reference's times
+  double first_beyond_s = 0;
+  // The times (s) from the first to the last row of the candidate inside the reference's times, or at their edge.
+  std::optional<double> first_s, last_s;
 };
 
 class Pairing {
@@ -75,12 +78,15 @@ class Pairing {
   bool read_reference(Row& row);
   void advance(bool outside);
   void miss(double t_s, bool outside);
+  void lie_beyond(double t_s, double distance_s);
+  void cover(double t_s);
   PairedRow finish();
 
   RowSource& reference_;
   RowSource& candidate_;
   bool some_rows_only_;
   double same_s_;  // times that differ by at most this are the same (s)
+  double edge_s_;  // a row that lies beyond the reference's times by at most this lies at their edge (s)
   // Four neighbouring rows of the reference: slot(1) is the last one at or before the candidate's time (`here`), slot(0) the
   // one before it, slot(2) and slot(3) the two after it. The flags below tell which of them exist.
   std::array<Row, 4> rows_;

@@ -54,6 +54,10 @@ double turn_between(const double* a, const double* b) {
 
 }  // namespace
 
+bool tells_motion(const Measure& measure) {
+  return measure.name == "attitude_rad" || measure.name == "axis_rad" || measure.name == "rates_rad_s";
+}
+
 std::optional<std::size_t> Table::find(std::string_view column) const {
   const auto at = std::find(columns.begin(), columns.end(), column);
   return at == columns.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - columns.begin()));

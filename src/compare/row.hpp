@@ -39,6 +39,9 @@ struct Measure {
   RowOwner owner;            ///< which runs have it
 };
 
+/// Whether it is the attitude, the axis or the rates of the top: what another program's file may have.
+bool tells_motion(const Measure& measure);
+
 /// The columns of a result file after the time, and the measures made of them.
 struct Table {
   std::string_view file;

@@ -30,14 +30,18 @@ void require_later(const CsvReader& reader, double t_s, double& last_s) {
 
 constexpr std::ptrdiff_t kDigitsOfDouble = 17;  // significant digits that read back to the same bits
 
-/// Whether a number's text has digits that a double does not hold.
-bool has_more_digits(std::string_view text) {
-  if (static_cast<std::ptrdiff_t>(text.size()) <= kDigitsOfDouble) return false;
+/// The number of digits from the first one that is not 0.
+std::ptrdiff_t significant_digits(std::string_view text) {
   text = text.substr(0, text.find_first_of("eE"));
   const std::size_t first = text.find_first_of("123456789");
-  if (first == text.npos) return false;
+  if (first == text.npos) return 0;
   return std::count_if(text.begin() + static_cast<std::ptrdiff_t>(first), text.end(),
-                       [](char c) { return c >= '0' && c <= '9'; }) > kDigitsOfDouble;
+                       [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Whether a number's text has digits that a double does not hold.
+bool has_more_digits(std::string_view text) {
+  return static_cast<std::ptrdiff_t>(text.size()) > kDigitsOfDouble && significant_digits(text) > kDigitsOfDouble;
 }
 
 class OwnRows : public RowSource {
@@ -67,6 +71,7 @@ class OwnRows : public RowSource {
     const auto numbers = reader_.numbers();
     const auto kinds = reader_.kinds();
     row.t_s = numbers[0];
+    count(kTime, reader_.text(0), row.t_s);
     require_later(reader_, row.t_s, last_s_);
     row.kind.fill(CellKind::empty);  // also of the bounds: a file without them states none
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -76,6 +81,7 @@ class OwnRows : public RowSource {
       row.value[columns_[i]] = numbers[i + 1];
       row.kind[columns_[i]] = kinds[i + 1];
       const std::string_view text = reader_.text(i + 1);
+      count(columns_[i], text, numbers[i + 1]);
       row.more_digits[columns_[i]] = has_more_digits(text) ? std::hash<std::string_view>()(text) : 0;
     }
     return true;
@@ -100,14 +106,6 @@ class OwnRows : public RowSource {
   double last_s_ = -std::numeric_limits<double>::infinity();
 };
 
-/// The matrix whose columns are the file's axes; it turns components in the file's frame into components in earthtop's.
-Eigen::Matrix3d matrix_of(const AxisTurn& turn) {
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    matrix(static_cast<int>(turn.index[static_cast<std::size_t>(i)]), i) = turn.sign[static_cast<std::size_t>(i)];
-  return matrix;
-}
-
 class MappedRows : public RowSource {
  public:
   MappedRows(const std::string& file, const Mapping& mapping)
@@ -121,18 +119,14 @@ class MappedRows : public RowSource {
   }
 
   bool next(Row& row) override {
-    if (!reader_.next()) return false;
-    row.t_s = reader_.numbers()[0] * mapping_.time_unit_s + mapping_.time_offset_s;
-    require_later(reader_, row.t_s, last_s_);
-    row.kind.fill(CellKind::empty);
-    if (quaternion_) put_attitude(row);
-    if (rates_) put_rates(row);
-    if (axis_ && axis_->from > 0)
-      put_vector(row, *axis_, R_LF_ * vector(*axis_));
-    else if (axis_)
-      put_axis_of(row);
+    if (mapping_.repeated == RepeatedTime::last) return next_last(row);
+    const double before_s = last_s_;
+    do
+      if (!read(row)) return false;
+    while (row.t_s == before_s);  // where no time may be repeated, `read` has refused it
     return true;
   }
+
   bool has_column(std::size_t column) const override {
     const auto in = [&](const std::optional<Group>& group) {
       return group && column >= group->first && column < group->first + group->size;
@@ -143,6 +137,35 @@ class MappedRows : public RowSource {
   std::string where() const override { return fmt::format("{}:{}", reader_.file(), reader_.line()); }
 
  private:
+  bool read(Row& row) {
+    if (!reader_.next()) return false;
+    row.t_s = reader_.numbers()[0] * mapping_.time_unit_s + mapping_.time_offset_s;
+    count(kTime, reader_.text(0), reader_.numbers()[0]);
+    for (const auto& group : {quaternion_, rates_, axis_})
+      for (std::size_t i = 0; group && group->from > 0 && i < group->size; ++i)
+        count(group->first + i, reader_.text(group->from + i), reader_.numbers()[group->from + i]);
+    if (row.t_s == last_s_ && mapping_.repeated == RepeatedTime::refused)
+      refuse_at(reader_, fmt::format("a second row at {}; say in the mapping which one counts: time.repeated, first or last",
+                                     time_text(row.t_s)));
+    if (row.t_s != last_s_) require_later(reader_, row.t_s, last_s_);
+    row.kind.fill(CellKind::empty);
+    if (quaternion_) put_attitude(row);
+    if (rates_) put_rates(row);
+    if (axis_ && axis_->from > 0)
+      put_vector(row, *axis_, R_LF_ * vector(*axis_));
+    else if (axis_)
+      put_axis_of(row);
+    return true;
+  }
+  /// The last of the rows at the next time. One row is read ahead.
+  bool next_last(Row& row) {
+    if (!ahead_) has_ahead_ = read(ahead_.emplace());
+    if (!has_ahead_) return false;
+    do row = *ahead_;
+    while ((has_ahead_ = read(*ahead_)) && ahead_->t_s == row.t_s);
+    return true;
+  }
+
   /// Columns that belong together: the place of the first of their numbers among those read (`from`; 0 if they are computed
   /// instead), the first column of the table to which they go, and their number.
   struct Group {
@@ -218,10 +241,28 @@ class MappedRows : public RowSource {
   Eigen::Matrix3d R_LF_, R_BF_;
   std::vector<std::size_t> wanted_;
   std::optional<Group> quaternion_, rates_, axis_;
+  std::optional<Row> ahead_;
+  bool has_ahead_ = false;
   double last_s_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace
+
+void PrintedDigits::add(std::string_view text, double value) {
+  if (!std::isfinite(value)) return;
+  significant_ = std::max(significant_, static_cast<int>(significant_digits(text)));
+  largest_ = std::max(largest_, std::abs(value));
+  const std::size_t exponent = text.find_first_of("eE"), point = text.find('.');
+  if (exponent == text.npos && point != text.npos) decimals_ = std::max(decimals_, static_cast<int>(text.size() - point - 1));
+}
+
+double PrintedDigits::rounding() const {
+  if (significant_ == 0) return 0;
+  // A number that was printed to N significant digits has fewer decimals the larger it is; one printed to D decimals has D.
+  const int whole = largest_ > 0 ? static_cast<int>(std::ceil(real::log10(largest_))) : 0;
+  const int last = whole - significant_;
+  return 0.5 * real::power_of_ten(std::max(last, decimals_ > 0 ? -decimals_ : last));
+}
 
 bool RowSource::has(const Measure& measure) const {
   for (std::size_t i = measure.column; i < measure.column + measure.width; ++i)

@@ -11,6 +11,19 @@
 
 namespace earthtop::compare {
 
+/// How finely numbers are printed, as far as their texts tell: to as many significant digits, or decimals, as the longest of them has.
+class PrintedDigits {
+ public:
+  void add(std::string_view text, double value);
+  /// The largest error by which a number was rounded when it was printed, in its unit; 0 without numbers.
+  double rounding() const;
+  int significant() const { return significant_; }
+
+ private:
+  int significant_ = 0, decimals_ = 0;
+  double largest_ = 0;
+};
+
 class RowSource {
  public:
   virtual ~RowSource() = default;
@@ -29,6 +42,21 @@ class RowSource {
   virtual std::vector<std::string> other_columns() const { return {}; }
 
   bool has(const Measure& measure) const;
+
+  /// Begins to look at the digits of the rows to come.
+  void count_digits() { counts_digits_ = true; }
+  /// The digits of a column of the table; kTime for the times. Those of a mapped file are in the file's units.
+  const PrintedDigits& digits(std::size_t column) const { return digits_[column]; }
+  static constexpr std::size_t kTime = Row::kMostColumns;
+
+ protected:
+  void count(std::size_t column, std::string_view text, double value) {
+    if (counts_digits_) digits_[column].add(text, value);
+  }
+
+ private:
+  bool counts_digits_ = false;
+  std::array<PrintedDigits, Row::kMostColumns + 1> digits_;
 };
 
 /// Rows of a file with the table's own column names.

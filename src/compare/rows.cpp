@@ -60,6 +60,21 @@ class CurveBuilder {
 
 std::string at_time(double t_s) { return "t = " + time_text(t_s); }
 
+/// The rows of another source up to a time; all of them without one.
+class RowsUntil : public RowSource {
+ public:
+  RowsUntil(RowSource& rows, std::optional<double> until_s) : rows_(rows), until_s_(until_s) {}
+  bool next(Row& row) override { return rows_.next(row) && !(until_s_ && row.t_s > *until_s_); }
+  bool has_column(std::size_t column) const override { return rows_.has_column(column); }
+  std::string where() const override { return rows_.where(); }
+  double share_read() const override { return rows_.share_read(); }
+  std::vector<std::string> other_columns() const override { return rows_.other_columns(); }
+
+ private:
+  RowSource& rows_;
+  std::optional<double> until_s_;
+};
+
 /// Judges one measure, row after row.
 class Judge {
  public:
@@ -205,6 +220,7 @@ class Comparison {
   void choose_measures(const RowSource& reference, const RowSource& candidate, const Survey& known);
   void judge(const Row& reference, const Row& candidate, bool between);
   void require_fine_rows(const Survey& known) const;
+  void check_span(const PairingCounts& counts, const Survey& known);
 
   const Table& table_;
   const RowsContext& context_;
@@ -249,7 +265,7 @@ void Comparison::choose_measures(const RowSource& reference, const RowSource& ca
     } else if (!in_reference && in_candidate && context_.both_runs) {
       result_.findings.push_back(
           {"missing column", fmt::format("{} is missing in the {} of the reference", measure.first_column, contents)});
-    } else {
+    } else if (options_.mapping.empty() || tells_motion(measure)) {
       not_compared += (not_compared.empty() ? "" : ", ") + std::string(measure.name);
     }
   }
@@ -280,7 +296,8 @@ void Comparison::judge(const Row& reference, const Row& candidate, bool between)
         ++untrusted_[i];
         return;
       }
-  ++result_.rows;
+  if (result_.rows++ == 0) result_.span.from_s = candidate.t_s;
+  result_.span.to_s = candidate.t_s;
   if (result_.seen.size() < kMostSeen && !between) result_.seen.push_back({reference, candidate});
   for (Judge& judge : judges_) {
     const Measure& measure = judge.measure();
@@ -322,8 +339,34 @@ void Comparison::require_fine_rows(const Survey& known) const {
     }
 }
 
+/// Finds whether a CSV file has rows outside the reference's times, or lacks a part of them.
+void Comparison::check_span(const PairingCounts& counts, const Survey& known) {
+  const double end_s = std::min(options_.until_s.value_or(known.last_s), known.last_s);
+  if (counts.beyond > 0)
+    result_.findings.push_back(
+        {"extra rows",
+         fmt::format("{} new rows lie outside the reference's times, {} to {}, the first one at {}", counts.beyond,
+                     time_text(known.first_s), time_text(known.last_s), at_time(counts.first_beyond_s))});
+  if (!counts.first_s || !options_.may_lack_rows) return;  // else missing rows say it
+  if (*counts.first_s > known.first_s)
+    result_.findings.push_back(
+        {"part of the time", fmt::format("the new rows begin at {}, the reference at {}; write the row of the release, too",
+                                         at_time(*counts.first_s), at_time(known.first_s))});
+  // The last row up to `until_s` may be one step of the new rows before it.
+  const double step_s = (*counts.last_s - *counts.first_s) / static_cast<double>(std::max<std::uint64_t>(result_.rows, 2) - 1);
+  const double enough_s = options_.until_s ? end_s - std::max(step_s, known.largest_step_s) : end_s;
+  if (*counts.last_s < enough_s)
+    result_.findings.push_back(
+        {"part of the time",
+         fmt::format("the new rows end at {}, but {} at {}; write all of them, or compare less (--until {:.10g})",
+                     at_time(*counts.last_s), options_.until_s ? "--until" : "the reference", at_time(end_s), *counts.last_s)});
+}
+
 bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, RowSource& candidate_rows, const Survey& known,
                       const Watch& watch) {
+  if (options_.until_s && !(*options_.until_s <= known.last_s))
+    throw ScenarioError("",
+                        fmt::format("--until {}: the reference ends before, at {}", *options_.until_s, at_time(known.last_s)));
   choose_measures(reference_rows, candidate_rows, known);
   const bool interpolates = !known.interpolation_error.empty();
   if (interpolates) require_fine_rows(known);
@@ -367,7 +410,10 @@ bool Comparison::pass(const Comparand& reference, RowSource& reference_rows, Row
   else if (missing > 0)
     result_.notes.push_back(
         fmt::format("{} of the reference's {} rows are missing in the new result, which was allowed", missing, known.rows));
-  if (counts.beyond > 0)
+  result_.span.of = known.rows;
+  if (context_.is_file)
+    check_span(counts, known);
+  else if (counts.beyond > 0)
     result_.notes.push_back(fmt::format("{} new rows lie outside the reference's times, {} to {}: not compared", counts.beyond,
                                         time_text(known.first_s), time_text(known.last_s)));
   if (counts.beyond > 0 && context_.same_scenario)
@@ -422,7 +468,8 @@ RowsComparison compare_tables(const Comparand& reference, const Comparand& candi
     const auto reference_rows = open_reference();
     const auto candidate_rows = open_candidate();
     CountedRows counted(*candidate_rows);
-    if (!comparison.pass(reference, *reference_rows, counted, known, watch.part(kSurvey, 1))) continue;
+    RowsUntil reference_until(*reference_rows, options.until_s), candidate_until(counted, options.until_s);
+    if (!comparison.pass(reference, reference_until, candidate_until, known, watch.part(kSurvey, 1))) continue;
     require_stated(candidate, table, counted);
     return comparison.take();
   }

@@ -19,6 +19,7 @@ struct RowsComparison {
   std::vector<CompareFinding> findings;
   std::vector<std::string> notes;
   std::uint64_t rows = 0;
+  ComparedSpan span;
   std::vector<SeenPair> seen;
 };
 
@@ -31,6 +32,7 @@ struct RowsContext {
   std::optional<double> end_s;    ///< the common end of two runs of unlike lengths
   bool both_runs = false;         ///< whether both are runs, which must have all columns
   bool same_scenario = false;     ///< whether the scenarios agree, so that rows at the same times are expected
+  bool is_file = false;           ///< whether the new rows are a CSV file's, of which no summary says how long they should be
   bool same_computation = false;  ///< whether the errors agree, too, so that only rounding should differ
 };
 

@@ -213,6 +213,7 @@ void compare_stores(const std::filesystem::path& reference_path, const std::file
         quantity.scale = std::max(quantity.scale, std::abs(*number));
   });
   compare_points(reference, candidate, quantities, options, report);
+  report.span = {0, 0, reference.count(), true};
   if (report.rows == 0) report.findings.push_back({"nothing in common", "no point of the new store was compared"});
   for (SharedQuantity& quantity : quantities) {
     quantity.verdict.passed = quantity.verdict.violations == 0;

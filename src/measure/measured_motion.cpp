@@ -17,6 +17,7 @@
 #include "measure/features.hpp"
 #include "measure/quantities.hpp"
 #include "scene/caged_top.hpp"
+#include "scene/motion_alone.hpp"
 #include "scene/pendulum.hpp"
 
 namespace earthtop::measure {
@@ -42,19 +43,6 @@ std::array<double, 2> turn_to(const Vec3<double>& m_L, const Vec3<double>& p_L) 
   if (!(sine > 0)) return {angle, 0};
   const Vec3<double> along_L = cross_L.cross(m_L);
   return {angle * along_L.dot(down_L) / sine, angle * along_L.dot(clockwise_L) / sine};
-}
-
-/// Changes a scenario so that it runs to `end_s` in double precision, and asks for nothing but the motion.
-void prepare(Scenario& scenario, double end_s) {
-  if (end_s > 0) scenario.duration_s = end_s;
-  scenario.output_step_s = scenario.duration_s;
-  scenario.threshold_rad.reset();
-  scenario.accuracy_rad.reset();
-  scenario.uncertainty.reset();
-  scenario.ledger.reset();
-  scenario.sensitivities = false;
-  scenario.precision = Precision::bits53;
-  scenario.numerics.relative_tolerance = default_tolerance(Precision::bits53);
 }
 
 /// Adds the residuals of measured values to a list: two for an axis, one for any other quantity.
@@ -157,7 +145,7 @@ namespace {
 /// The scene to these times of the motion.
 Scene scene_to_predict(const Scene& measured, const std::vector<double>& times_s, std::optional<Method> method) {
   Scenario scenario = measured.scenario();
-  prepare(scenario, times_s.back());
+  ask_for_motion_alone(scenario, times_s.back());
   // The choice of the method depends on the number of rows.
   scenario.output_step_s = scenario.duration_s / static_cast<double>(std::max<std::size_t>(times_s.size() - 1, 1));
   if (method) scenario.numerics.method = *method;
@@ -380,7 +368,7 @@ std::string words_on_end(const ContactEvent& event) {
 JudgedMotion judged_motion(const Scene& measured, double end_s, const Watch& watch) {
   constexpr double kLooks = 200;  // number of times at which bounds are checked
   Scenario scenario = measured.scenario();
-  prepare(scenario, end_s);
+  ask_for_motion_alone(scenario, end_s);
   scenario.output_step_s = scenario.duration_s / kLooks;
   const RunResult result = run(resolve(std::move(scenario)), {watch, false});
   return {result.status, result.reached_s, result.verdict};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Files of other programs: conventions that a mapping undoes, rows at other times, studies.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -8,7 +9,9 @@
 #include <numbers>
 
 #include "compare/results_copy.hpp"
+#include "compare/small_engine.hpp"
 #include "earthtop/compare/compare.hpp"
+#include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "study/store.hpp"
 
@@ -140,7 +143,7 @@ TEST(Mapping, AWrongConventionDiffersAndTheRightOneIsNamed) {
   expect_hint(other, plain, "", "North, East, Down");
   other = plain;
   other.rate_unit = kDegreesPerSecond;
-  expect_hint(other, plain, "", "degrees instead of radians");
+  expect_hint(other, plain, "", "are taken as in deg/s");
 }
 
 TEST(Mapping, SimbodyAgreesToItsOwnError) {
@@ -322,6 +325,168 @@ TEST(Studies, ArePairedByPoint) {
   ASSERT_EQ(otherwise.findings.size(), 1u);
   EXPECT_EQ(otherwise.findings[0].text,
             "2 points are of different scenarios, the first one point 4 (latitude_deg 30, tilt_deg 10)");
+}
+
+/// The plain file of the short run, its rows changed, against the short run, with rows that may be missing.
+PairReport compare_changed(const std::function<void(std::vector<std::vector<std::string>>&)>& change,
+                           CompareOptions options = {}, const std::string& time = "") {
+  const TemporaryDirectory dir;
+  std::istringstream lines(
+      foreign_csv(Csv(ShortRun::get().path() / "trajectory.csv"), {kSame, kSame, false, false, false, 1, ""}, 1));
+  std::string line, text;
+  std::vector<std::vector<std::string>> rows;
+  for (int i = 0; std::getline(lines, line); ++i) {
+    if (i < 2)
+      text += line + '\n';
+    else
+      rows.push_back({line.substr(0, line.find(';')), line.substr(line.find(';'))});
+  }
+  change(rows);
+  for (const auto& row : rows) text += row[0] + row[1] + '\n';
+  write_text(dir.path() / "foreign.csv", text);
+  write_text(dir.path() / "mapping.json",
+             R"({"separator": ";", "time": {"column": "clock")" + time +
+                 R"(}, "quaternion": {"columns": ["a", "b", "c", "d"]}, "rates": {"columns": ["p", "q", "r"]}})");
+  options.mapping = (dir.path() / "mapping.json").string();
+  options.may_lack_rows = true;
+  return compare_results(ShortRun::get().path(), dir.path() / "foreign.csv", options).pairs.at(0);
+}
+bool has_finding(const PairReport& pair, const std::string& kind) {
+  return std::any_of(pair.findings.begin(), pair.findings.end(),
+                     [&](const CompareFinding& finding) { return finding.kind == kind; });
+}
+using Lines = std::vector<std::vector<std::string>>;
+
+TEST(Span, SameNeedsTheWholeDurationOfTheReference) {
+  const PairReport whole = compare_changed([](Lines&) {});
+  EXPECT_TRUE(whole.passed());
+  EXPECT_EQ(whole.rows, 61u);
+  EXPECT_EQ(whole.span.of, 61u);
+  EXPECT_EQ(whole.span.from_s, 0);
+  EXPECT_EQ(whole.span.to_s, 6);
+  const PairReport every_third = compare_changed([](Lines& rows) {
+    for (std::size_t i = 0; 3 * i < rows.size(); ++i) rows[i] = rows[3 * i];
+    rows.resize(21);
+  });
+  EXPECT_TRUE(every_third.passed());
+  EXPECT_EQ(every_third.rows, 21u);
+  for (const std::size_t kept : {1u, 2u, 60u}) {
+    const PairReport part = compare_changed([&](Lines& rows) { rows.resize(kept); });
+    EXPECT_FALSE(part.passed()) << kept;
+    EXPECT_TRUE(has_finding(part, "part of the time")) << kept;
+    EXPECT_NE(part.findings.back().text.find("but the reference at t = 6 s; write all of them, or compare less (--until "),
+              std::string::npos);
+  }
+  const PairReport late = compare_changed([](Lines& rows) { rows.erase(rows.begin()); });
+  EXPECT_TRUE(has_finding(late, "part of the time"));
+  CompareOptions until;
+  until.until_s = 3;
+  const PairReport half = compare_changed([](Lines& rows) { rows.resize(31); }, until);
+  EXPECT_TRUE(half.passed());
+  EXPECT_EQ(half.span.to_s, 3);
+  EXPECT_EQ(half.rows, 31u);
+  EXPECT_FALSE(compare_changed([](Lines& rows) { rows.resize(25); }, until).passed());
+  EXPECT_TRUE(compare_changed([](Lines& rows) { rows[50][1] = ";1;0;0;0;0;0;0"; }, until).passed());  // later than that
+  until.until_s = 7;
+  EXPECT_THROW(compare_changed([](Lines&) {}, until), ScenarioError);
+  try {
+    testing::compared(ShortRun::get().path(), until);
+    ADD_FAILURE();
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("--until belongs to a CSV file; two results are compared to their common end, where "
+                        "--allow-change /motion/duration_s allows unlike lengths"),
+              std::string::npos);
+  }
+}
+
+TEST(Span, RowsOutsideTheReferencesTimesAreADifference) {
+  const PairReport hour = compare_changed([](Lines& rows) {
+    for (auto& row : rows) row[0] = std::to_string(std::stod(row[0]) + 3600);
+  });
+  EXPECT_TRUE(has_finding(hour, "extra rows"));
+  EXPECT_FALSE(hour.passed());
+  const PairReport one = compare_changed([](Lines& rows) { rows.push_back({"6.1", rows.back()[1]}); });
+  EXPECT_TRUE(has_finding(one, "extra rows"));
+  EXPECT_FALSE(one.passed());
+}
+
+TEST(Span, TheRatioOfTheLastTimesNamesTheUnit) {
+  const auto said = [](double factor, const std::string& time = "") {
+    const PairReport pair = compare_changed(
+        [&](Lines& rows) {
+          for (auto& row : rows) row[0] = fmt::format("{:.17g}", std::stod(row[0]) * factor);
+        },
+        {}, time);
+    EXPECT_FALSE(pair.passed()) << factor;
+    return pair.hints.empty() ? std::string() : pair.hints.front();
+  };
+  EXPECT_EQ(said(1000), "its last time is 1000 times the reference's: its times are in ms (time.unit of the mapping)");
+  EXPECT_EQ(said(1.0 / 60),
+            "its last time is 0.0166667 times the reference's: its times are in min (time.unit of the mapping)");
+  EXPECT_EQ(said(1, R"(, "unit": "min")"),
+            "its last time is 60 times the reference's: its times are in s (time.unit of the mapping)");
+  EXPECT_EQ(said(60), "its last time is 60 times the reference's: are its times in another unit?");
+}
+
+TEST(Mapping, SaysWhichOfTwoRowsAtOneTimeCounts) {
+  const auto doubled = [](Lines& rows) {  // an event at 3 s: before it the right row, after it another
+    rows.insert(rows.begin() + 31, rows[30]);
+    rows[31][1] = ";1;0;0;0;0;0;0";
+  };
+  EXPECT_TRUE(compare_changed(doubled, {}, R"(, "repeated": "first")").passed());
+  EXPECT_FALSE(compare_changed(doubled, {}, R"(, "repeated": "last")").passed());
+  const auto other = [](Lines& rows) {
+    rows.insert(rows.begin() + 30, rows[30]);
+    rows[30][1] = ";1;0;0;0;0;0;0";
+    rows.push_back(rows.back());
+  };
+  const PairReport last = compare_changed(other, {}, R"(, "repeated": "last")");
+  EXPECT_TRUE(last.passed());
+  EXPECT_EQ(last.rows, 61u);
+  EXPECT_FALSE(compare_changed(other, {}, R"(, "repeated": "first")").passed());
+  try {
+    compare_changed(other);
+    ADD_FAILURE();
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find("a second row at 3 s; say in the mapping which one counts"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(EngineFit, NeedsARow) {
+  const TemporaryDirectory dir;
+  write_text(dir.path() / "engine.csv", "t,x,y,z\n0,0,0,0\n");
+  write_text(dir.path() / "mapping.json", R"({"time": {"column": "t"}, "axis": {"columns": ["x", "y", "z"]}})");
+  const ScenarioSource source = read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json");
+  try {
+    fit_to_engine(source, {}, (dir.path() / "engine.csv").string(), (dir.path() / "mapping.json").string(), {"gravity_m_s2"},
+                  {});
+    ADD_FAILURE();
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find("has no row to which anything could be fitted"), std::string::npos);
+  }
+}
+
+TEST(EngineFit, FindsTheNumberThatAnotherProgramHadOtherwise) {
+  const TemporaryDirectory dir;
+  testing::SmallEngine engine;
+  engine.gravity = 9.81;
+  write_text(dir.path() / "engine.csv", testing::SmallEngine::csv(engine.run(6, 0.1, 2000)));
+  write_text(
+      dir.path() / "mapping.json",
+      R"({"time": {"column": "t"}, "quaternion": {"columns": ["q0", "q1", "q2", "q3"]}, "rates": {"columns": ["wx", "wy", "wz"]}})");
+  const ScenarioSource source = read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json");
+  const EngineFit fit = fit_to_engine(source, {}, (dir.path() / "engine.csv").string(), (dir.path() / "mapping.json").string(),
+                                      {"gravity_m_s2"}, {});
+  ASSERT_EQ(fit.numbers.size(), 1u) << fit.reason;
+  ASSERT_TRUE(fit.numbers[0].estimate) << fit.reason;
+  constexpr double kEngineError = 1e-8;  // of steps of 5e-5 s
+  EXPECT_NEAR(*fit.numbers[0].estimate, 9.81, kEngineError);
+  EXPECT_EQ(fit.numbers[0].given, 9.80665);
+  EXPECT_GT(fit.given_rms_rad, 1e-4);  // gravity is off by 3e-4 of itself
+  EXPECT_LT(*fit.fitted_rms_rad, kEngineError);
+  EXPECT_EQ(fit.rows, 61u);
 }
 
 }  // namespace

@@ -40,6 +40,7 @@ struct CompareArguments {
   std::vector<std::string> columns, sigmas;
   double time_offset_s = 0;
   bool priors = false, free_start = false, force = false;
+  std::optional<double> until_s;
   double steps_ratio = 0, seconds_ratio = 0;  // 0: not given
   bool may_lack_rows = false, update = false;
   bool json = false, quiet = false, all = false;
@@ -60,6 +61,7 @@ CompareOptions options_of(const CompareArguments& arguments) {
           "", fmt::format("--allow-change {}: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it",
                           printable(pointer)));
   options.may_lack_rows = arguments.may_lack_rows;
+  options.until_s = arguments.until_s;
   options.with_curves = arguments.json || !arguments.svg.empty();
   return options;
 }
@@ -129,7 +131,7 @@ void require_place_for_scenario(const ScenarioSource& source, const Overrides& o
 void require_options_of_a_measurement(const CompareArguments& arguments) {
   const bool other_options = !arguments.profile.empty() || !arguments.tolerances.empty() || !arguments.mapping.empty() ||
                              !arguments.junit.empty() || !arguments.may_change.empty() || arguments.steps_ratio > 0 ||
-                             arguments.seconds_ratio > 0 || arguments.may_lack_rows;
+                             arguments.seconds_ratio > 0 || arguments.may_lack_rows || arguments.until_s;
   if (other_options)
     throw ScenarioError(
         "",
@@ -202,7 +204,34 @@ ListedReleases listed_in_turns(const CompareArguments& arguments) {
   return list;
 }
 
+/// Fits a scenario's numbers to another program's file.
+int engine_verb(const CompareArguments& arguments) {
+  CompareArguments others = arguments;
+  others.mapping.clear();
+  require_options_of_a_measurement(others);
+  if (!arguments.columns.empty() || !arguments.sigmas.empty() || arguments.time_offset_s != 0 || arguments.priors ||
+      arguments.free_start || arguments.correlation_time_s || !arguments.shared.empty() || !arguments.fitted.empty() ||
+      !arguments.svg.empty())
+    throw ScenarioError("",
+                        "a file with a --mapping is another program's, which states no standard errors: beside it there may be "
+                        "--estimate, --set, --json and --quiet");
+  const OrderlyEnd orderly;
+  Progress progress;
+  const ProgressDisplay display(!arguments.quiet && !arguments.json, progress);
+  const Watch watch(stop_flag(), display.is_shown() ? &progress : nullptr);
+  const EngineFit fit = fit_to_engine(read_scenario_source(arguments.reference), split_sets(arguments.sets),
+                                      arguments.candidate, arguments.mapping, arguments.estimates, watch);
+  if (fit.interrupted) return report_interruption(arguments.json);
+  progress.reach(1);
+  if (arguments.json)
+    print(engine_fit_json(fit));
+  else if (!arguments.quiet)
+    print(engine_fit_text(fit, output_screen()));
+  return fit.reason.empty() ? kDone : kNegative;
+}
+
 int measurement_verb(const CompareArguments& arguments) {
+  if (!arguments.mapping.empty()) return engine_verb(arguments);
   require_options_of_a_measurement(arguments);
   const auto [source, overrides] = given(arguments.reference, split_sets(arguments.sets), arguments.free_start);
   std::vector<std::string> inputs = files_of(arguments.reference, parse_scenario(source, overrides));
@@ -345,12 +374,17 @@ Verb describe_compare() {
       .one_of({"bitwise", "regression", "physics"});
   compare.add("--tolerances", &a.tolerances, "a file with tolerances of single quantities (earthtop schema --tolerances)")
       .called("FILE");
-  compare.add("--mapping", &a.mapping, "a file that says what another program's CSV columns are (earthtop schema --mapping)")
+  compare
+      .add("--mapping", &a.mapping,
+           "a file that says what another program's CSV columns are (earthtop schema --mapping); with a scenario, --estimate "
+           "fits "
+           "its numbers to that file")
       .called("FILE");
   compare.add("--allow-change", &a.may_change, "a scenario key in which the two may differ, e.g. /numerics; / for all")
       .called("POINTER");
   compare.add("--allow-missing", &a.may_lack_rows,
               "do not count rows, points and results that only the reference has as differences");
+  compare.add("--until", &a.until_s, "for a CSV file: compare rows up to this time (s); the file may end there").called("T");
   compare.add("--max-steps-ratio", &a.steps_ratio, "fail if the steps or evaluations grow by more than this factor")
       .called("R")
       .within(1e-9, 1e9);

@@ -74,9 +74,8 @@ std::string pair_text(const PairReport& pair, bool everything, std::size_t scree
     has_header = true;
     text += quantity_line(quantity, width);
   }
-  for (const std::string& hint : pair.hints) text += indented("perhaps " + shown(hint), screen_width);
-  if (everything || !pair.passed())
-    for (const std::string& note : pair.notes) text += indented("note: " + shown(note), screen_width);
+  for (const std::string& hint : pair.hints) text += indented("hint: " + shown(hint), screen_width);
+  for (const std::string& note : pair.notes) text += indented("note: " + shown(note), screen_width);
   if (everything || !pair.passed())
     for (const CostRatio& ratio : pair.cost) {
       std::string line = fmt::format("{}  {}: {:.4g} where the reference has {:.4g}", ratio.passed() ? "cost  " : "FAILED",
@@ -89,14 +88,48 @@ std::string pair_text(const PairReport& pair, bool everything, std::size_t scree
   return text;
 }
 
+/// What was compared: "compared from 0 to 60 s, 101 of 601 rows".
+std::string compared_words(const CompareReport& report) {
+  std::uint64_t compared = 0, of = 0;
+  bool has_rows = false, has_points = false;
+  double from_s = HUGE_VAL, to_s = -HUGE_VAL;
+  for (const PairReport& pair : report.pairs) {
+    compared += pair.rows;
+    of += pair.span.of;
+    (pair.span.are_points ? has_points : has_rows) = true;
+    if (pair.span.are_points || pair.rows == 0) continue;
+    from_s = std::min(from_s, pair.span.from_s), to_s = std::max(to_s, pair.span.to_s);
+  }
+  const char* noun = has_points && !has_rows ? "points" : "rows";
+  if (compared == 0) return fmt::format("none of {} {} compared", of, noun);
+  const std::string span = from_s <= to_s ? fmt::format(" from {:.10g} to {},", from_s, time_text(to_s)) : "";
+  return fmt::format("compared{} {} of {} {}", span, compared, of, noun);
+}
+
 }  // namespace
 
+std::string engine_fit_text(const EngineFit& fit, const Screen& screen) {
+  std::string text = wrapped(fmt::format("{} against {}: {} rows, all of the same weight, since the file states no errors",
+                                         shown(fit.file, kLongestFileName), shown(fit.scenario), fit.rows),
+                             screen.width, 2) +
+                     '\n';
+  text += indented(fmt::format("as given: the differences are {:.3g} rad (root mean square; rates divided by the fastest one)",
+                               fit.given_rms_rad),
+                   screen.width);
+  if (!fit.reason.empty()) return text + indented("no fit: " + shown(fit.reason), screen.width);
+  if (fit.fitted_rms_rad) text += indented(fmt::format("fitted: {:.3g} rad", *fit.fitted_rms_rad), screen.width);
+  for (const EngineFit::Number& number : fit.numbers)
+    if (number.estimate)
+      text += indented(fmt::format("{} {:.9g} {} (the scenario has {:.9g})", shown(number.name), *number.estimate, number.unit,
+                                   number.given),
+                       screen.width);
+  return text;
+}
+
 std::string compare_text(const CompareReport& report, bool everything, const Screen& screen) {
-  std::size_t rows = 0;
   std::string details;
   for (const PairReport& pair : report.pairs) {
     if (report.pairs.size() == 1 || everything || !pair.passed()) details += pair_text(pair, everything, screen.width);
-    rows += pair.rows;
   }
   const std::string_view profile = to_string(report.profile);
   const std::string tolerances =
@@ -104,11 +137,10 @@ std::string compare_text(const CompareReport& report, bool everything, const Scr
           ? fmt::format("profile {}", profile)
           : fmt::format("{} on profile {}", shown(report.tolerances_file, kLongestFileName), profile);
   const std::string_view verdict = report.refused() ? "REFUSED" : report.passed() ? "same" : "DIFFERS";
-  std::string text =
-      wrapped(fmt::format("{}: {} against {} ({}; {} rows compared)", verdict, shown(report.candidate, kLongestFileName),
-                          shown(report.reference, kLongestFileName), tolerances, rows),
-              screen.width, 2) +
-      '\n';
+  std::string text = wrapped(fmt::format("{}: {} against {} ({}; {})", verdict, shown(report.candidate, kLongestFileName),
+                                         shown(report.reference, kLongestFileName), tolerances, compared_words(report)),
+                             screen.width, 2) +
+                     '\n';
   for (const std::string& sentence : comparison_conclusion(report)) text += wrapped(shown(sentence), screen.width, 2) + '\n';
   return details.empty() ? text : text + '\n' + details;
 }

@@ -6,7 +6,8 @@
 
 namespace earthtop {
 struct CompareReport;
-}
+struct EngineFit;
+}  // namespace earthtop
 
 namespace earthtop::tool {
 
@@ -14,5 +15,7 @@ struct Screen;
 
 /// @param everything also list the quantities that passed when many pairs are compared
 std::string compare_text(const CompareReport& report, bool everything, const Screen& screen);
+
+std::string engine_fit_text(const EngineFit& fit, const Screen& screen);
 
 }  // namespace earthtop::tool

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "earthtop/plot/plot.hpp"
+#include "earthtop/scenario/scenario.hpp"
 #include "earthtop/watch.hpp"
 
 namespace earthtop {
@@ -50,6 +51,8 @@ struct CompareOptions {
   bool may_lack_rows = false;           ///< whether rows and results of the reference may be missing in the candidate
   bool with_curves = false;             ///< whether to keep the differences over time, for a picture
   Watch watch;                          ///< gets the progress of the comparison, and may stop it
+  /// For a CSV file: rows up to this time (s) are compared, and the file need not go on.
+  std::optional<double> until_s = {};
 };
 
 /// Whether a difference is more than the two computations' errors explain.
@@ -107,6 +110,13 @@ struct CommonEnd {
   bool reference_goes_on = false;  ///< whether the reference is the longer one
 };
 
+/// What was compared, of what the reference has: rows of a trajectory, or points of a study.
+struct ComparedSpan {
+  double from_s = 0, to_s = 0;  ///< times of the first and of the last row compared
+  std::uint64_t of = 0;         ///< number of the reference's rows or points
+  bool are_points = false;
+};
+
 /// A figure that was not compared, because it has no common meaning for runs of unlike lengths.
 struct LeftOut {
   std::string name;
@@ -129,6 +139,7 @@ struct PairReport {
   std::vector<LeftOut> left_out;
   std::vector<QuantityVerdict> quantities;
   std::vector<CostRatio> cost;
+  ComparedSpan span = {};
   bool passed() const;
 };
 
@@ -149,11 +160,33 @@ struct CompareReport {
 CompareReport compare_results(const std::filesystem::path& reference, const std::filesystem::path& candidate,
                               const CompareOptions& options);
 
+/// A fit of a scenario's numbers to another program's file. Such a file states no standard errors: all its rows weigh alike.
+struct EngineFit {
+  struct Number {
+    std::string name, unit;
+    double given = 0;                ///< the scenario's
+    std::optional<double> estimate;  ///< none where the fit did not converge
+  };
+  std::string scenario, file;
+  std::uint64_t rows = 0;
+  double given_rms_rad = 0;              ///< root mean square of the differences; those of rates divided by the fastest rate
+  std::optional<double> fitted_rms_rad;  ///< with the estimates; none without a fit
+  std::string reason;                    ///< why there is no fit; empty where there is one, or none was asked for
+  std::vector<Number> numbers;
+  bool interrupted = false;
+};
+/// Fits these numbers of the scenario (as `MeasurementOptions::estimates`) to attitudes, axes and rates of a CSV file with a mapping.
+/// @throws ScenarioError, ReadError as `compare_with_measurement`
+EngineFit fit_to_engine(const ScenarioSource& source, const Overrides& overrides, const std::string& csv,
+                        const std::string& mapping, const std::vector<std::string>& estimates, const Watch& watch);
+
 /// Writes the findings in sentences, the most important one first: how many quantities failed, which one most and by how much, what
 /// else is wrong, and whether both error bounds explain the changes.
 std::vector<std::string> comparison_conclusion(const CompareReport& report);
 /// As JSON ("earthtop-comparison-1.json") with a final newline.
 std::string comparison_json(const CompareReport& report);
+/// A fit as JSON ("earthtop-engine-fit-1.json") with a final newline.
+std::string engine_fit_json(const EngineFit& fit);
 /// As JUnit XML: one test suite for each pair, one test case for each quantity.
 std::string comparison_junit(const CompareReport& report);
 /// A figure of the differences over time with their tolerances, for the first pair that failed, or the first pair if none did.
