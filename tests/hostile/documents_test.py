@@ -55,7 +55,8 @@ RANGES = {
     "comparison": {"/pairs/*/quantities/*/tolerance": NOT_NEGATIVE, "/pairs/*/quantities/*/largest_difference": NOT_NEGATIVE,
                    "/pairs/*/quantities/*/share_used": NOT_NEGATIVE, "/pairs/*/quantities/*/error_bounds_sum": NOT_NEGATIVE,
                    "/pairs/*/quantities/*/compared": COUNT, "/pairs/*/quantities/*/violations": COUNT,
-                   "/pairs/*/quantities/*/interpolation_error": NOT_NEGATIVE, "/pairs/*/rows_compared": COUNT,
+                   "/pairs/*/quantities/*/interpolation_error": NOT_NEGATIVE,
+                   "/pairs/*/rows_compared": COUNT, "/pairs/*/rows_of_reference": COUNT,
                    "/pairs/*/quantities/*/curve/tolerance/*": NOT_NEGATIVE,
                    "/pairs/*/quantities/*/curve/difference/*": NOT_NEGATIVE, "/pairs/*/cost/*/new": NOT_NEGATIVE,
                    "/pairs/*/cost/*/reference": NOT_NEGATIVE, "/pairs/*/cost/*/ratio": NOT_NEGATIVE},
@@ -99,7 +100,7 @@ RANGES = {
 # The other numbers of documents, which may be any. A new member must be in one of the two.
 FREE = {
     "comparison": ["/pairs/*/quantities/*/at_s", "/pairs/*/quantities/*/first_violation_s", "/pairs/*/quantities/*/curve/t_s/*",
-                   "/pairs/*/compared_until_s", "/pairs/*/common_end_s"],
+                   "/pairs/*/compared_until_s", "/pairs/*/compared_from_s", "/pairs/*/compared_to_s", "/pairs/*/common_end_s"],
     "measurement": ["/chi_squared/*/degrees_of_freedom", "/estimates/*/start", "/estimates/*/estimate", "/estimates/*/finding/known",
                     "/estimates/*/finding/from_known_sigma", "/estimates/*/exact/*/value", "/estimates/*/exact/*/shift",
                     *(f"{place}/{name}" for place in ("/residuals/*", "/largest_residual") for name in (
