@@ -32,6 +32,7 @@ constexpr double kLeast_rad = 1e-8, kWithoutEarth_rad = 1e-6;
 constexpr double kLeastOfRate = 1e-8, kWithoutEarthOfRate = 1e-6;  // of the largest rate
 constexpr double kExplains = 0.1;                                  // a mistake leaves at most this part of such a difference,
 constexpr double kExplainsMost = 1e-3;                             // or this part of what there was
+constexpr double kSurely = 1e-3;          // a mistake that leaves no more needs no comparison with others
 constexpr double kAlike = 3;              // what is left by two mistakes that the file does not tell apart differs by less
 constexpr double kNearRelease = 1e-3;     // rad: attitudes at the release that were meant to be one
 constexpr double kLeastRounding = 1e-12;  // rad, or of the rates: smaller differences are those of any computation
@@ -79,7 +80,12 @@ class Diagnosis {
   double predicted_until_s() const;
   bool predicts_reference() const;
   std::vector<std::string> physical(const std::vector<Reading>& readings);
-  std::vector<std::string> mistaken(const Scenario& base, const Reading& reading, const std::string& before);
+  /// What a mistake that is known by name explains, and what it leaves.
+  struct Named {
+    std::vector<std::string> sentences;
+    double ratio = HUGE_VAL;
+  };
+  Named mistaken(const Scenario& base, const Reading& reading, const std::string& before);
   std::vector<std::string> fitted(const Scenario& base, const Reading& reading, const std::string& before);
   struct Fit {
     double value = 0, sure = 0;  ///< and the change of it that would be seen
@@ -301,7 +307,7 @@ const Found& best_of(const std::vector<Found>& found) {
 }
 
 /// Names the mistake with which the motion of `base` is that of the file, read this way. @param before  what was found before
-std::vector<std::string> Diagnosis::mistaken(const Scenario& base, const Reading& reading, const std::string& before) {
+Diagnosis::Named Diagnosis::mistaken(const Scenario& base, const Reading& reading, const std::string& before) {
   struct Found {
     std::string_view words;
     Explanation explanation;
@@ -319,8 +325,9 @@ std::vector<std::string> Diagnosis::mistaken(const Scenario& base, const Reading
   std::size_t alike = 0;
   for (const Found& one : found)
     if (one.explanation.ratio <= kAlike * best.ratio) words += (alike++ > 0 ? ", or " : "") + std::string(one.words);
-  return {fmt::format("{}the new result is, to {}, the motion {}{}{}", before, left_words(best.left), words,
-                      if_words(best.reading, ", if "), alike > 1 ? ": the file does not tell them apart" : "")};
+  return {{fmt::format("{}the new result is, to {}, the motion {}{}{}", before, left_words(best.left), words,
+                       if_words(best.reading, ", if "), alike > 1 ? ": the file does not tell them apart" : "")},
+          best.ratio};
 }
 
 /// The differences over some samples, each in parts of what another program may differ by.
@@ -489,7 +496,7 @@ std::optional<Diagnosis::Release> Diagnosis::as_released(const Reading& reading)
 std::vector<std::string> Diagnosis::physical(const std::vector<Reading>& readings) {
   const Scenario base = resolved_scenario(*scene_);
   for (const Reading& reading : readings)
-    if (auto found = mistaken(base, reading, ""); !found.empty()) return found;
+    if (Named found = mistaken(base, reading, ""); !found.sentences.empty()) return found.sentences;
   std::vector<Release> releases;
   for (Reading reading : readings)
     for (const bool inertial_rates : {false, true}) {
@@ -505,7 +512,8 @@ std::vector<std::string> Diagnosis::physical(const std::vector<Reading>& reading
         return {fmt::format("{}; the motion from there agrees to {}{}", release.words, left_words(one.left),
                             if_words(one.reading, ", if "))};
   for (const Release& release : releases)
-    if (auto found = mistaken(release.scenario, release.reading, release.words + "; from there "); !found.empty()) return found;
+    if (Named found = mistaken(release.scenario, release.reading, release.words + "; from there "); !found.sentences.empty())
+      return found.sentences;
   constexpr std::size_t kMostFitted = 2;  // fits take the longest
   for (std::size_t i = 0; i < std::min(readings.size(), kMostFitted); ++i)
     if (auto found = fitted(base, readings[i], ""); !found.empty()) return found;
@@ -528,11 +536,14 @@ std::vector<std::string> Diagnosis::sentences(const Explanation& now) {
   }
   // Several other conventions at once may look like a mistake in physics, and are less likely.
   const std::size_t changes = reader_.words(best.reading).size();
-  if (best.ratio <= 1 && changes == 1) return {by_reading(best)};
+  const bool is_read = best.ratio <= 1, is_simple = is_read && changes == 1;
+  if (is_simple && best.ratio <= kSurely) return {by_reading(best)};
   const bool has_physics = predicts_reference();
-  if (has_physics)
-    if (auto found = mistaken(resolved_scenario(*scene_), reader_.mapped(), ""); !found.empty()) return found;
-  if (best.ratio <= 1) return {by_reading(best)};
+  if (has_physics) {
+    const Named named = mistaken(resolved_scenario(*scene_), reader_.mapped(), "");
+    if (!named.sentences.empty() && (!is_simple || named.ratio * kAlike < best.ratio)) return named.sentences;
+  }
+  if (is_read) return {by_reading(best)};
   std::vector<Reading> readings = {reader_.mapped()};
   for (const Reading& reading : likely)
     if (reading.later == 0) readings.push_back(reading);

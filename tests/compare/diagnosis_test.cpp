@@ -9,13 +9,13 @@ namespace {
 
 using namespace mistaken;
 
-class DiagnosisOf : public ::testing::TestWithParam<std::tuple<Ground, bool>> {};
+class DiagnosisOf : public ::testing::TestWithParam<std::tuple<Ground, Told>> {};
 
 TEST_P(DiagnosisOf, NamesEveryMistakeAndNoOther) {
-  const auto& [ground, with_rates] = GetParam();
+  const auto& [ground, told] = GetParam();
   const Bench bench(ground);
   {
-    const PairReport pair = bench.compared(SmallEngine::csv(bench.rows(bench.right()), 17, with_rates), "", with_rates);
+    const PairReport pair = bench.compared(SmallEngine::csv(bench.rows(bench.right()), 17, told), "", told);
     EXPECT_TRUE(pair.passed()) << all_of(pair.hints);
     EXPECT_TRUE(pair.hints.empty()) << all_of(pair.hints);
   }
@@ -24,10 +24,11 @@ TEST_P(DiagnosisOf, NamesEveryMistakeAndNoOther) {
     if (one.physics) one.physics(engine);
     std::vector<State> rows = bench.rows(engine);
     if (one.writing) one.writing(rows, engine);
-    const PairReport pair = bench.compared(SmallEngine::csv(rows, one.digits, with_rates), "", with_rates);
+    const PairReport pair = bench.compared(SmallEngine::csv(rows, one.digits, told), "", told);
     const std::string text = all_of(pair.hints);
     const std::string context = std::string(ground.name) + ", " + one.name + ": " + text;
-    if (!with_rates && one.needs_rates) {
+    if (told == Told::axes && one.needs_attitude) continue;  // an axis made of such numbers is none
+    if (told != Told::attitudes_and_rates && one.needs_rates) {
       EXPECT_TRUE(pair.passed()) << context;
       continue;
     }
@@ -39,10 +40,15 @@ TEST_P(DiagnosisOf, NamesEveryMistakeAndNoOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OnThreeScenarios, DiagnosisOf,
-                         ::testing::Combine(::testing::ValuesIn(mistaken::kGrounds), ::testing::Bool()), [](const auto& info) {
+                         ::testing::Combine(::testing::ValuesIn(mistaken::kGrounds),
+                                            ::testing::Values(Told::attitudes_and_rates, Told::attitudes, Told::axes)),
+                         [](const auto& info) {
                            std::string name = std::get<0>(info.param).name;
                            std::erase(name, '-');
-                           return name + (std::get<1>(info.param) ? "WithRates" : "AttitudesAlone");
+                           const Told told = std::get<1>(info.param);
+                           return name + (told == Told::axes        ? "AxesAlone"
+                                          : told == Told::attitudes ? "AttitudesAlone"
+                                                                    : "WithRates");
                          });
 
 TEST(Diagnosis, NamesNothingOfRightFiles) { expect_nothing_of_right_files(20); }
@@ -92,14 +98,14 @@ constexpr double kDuration_s = 4, kStep_s = 0.05;
 
 /// What is said of the file of a changed engine.
 std::string said_of(const std::function<void(SmallEngine&)>& physics,
-                    const std::function<void(std::vector<State>&)>& writing = nullptr, bool with_rates = true,
+                    const std::function<void(std::vector<State>&)>& writing = nullptr, Told told = Told::attitudes_and_rates,
                     int digits = 17) {
   const Bench bench(some_scene(), kDuration_s, kStep_s);
   SmallEngine engine = bench.right();
   if (physics) physics(engine);
   std::vector<State> rows = bench.rows(engine);
   if (writing) writing(rows);
-  return all_of(bench.compared(SmallEngine::csv(rows, digits, with_rates), "", with_rates).hints);
+  return all_of(bench.compared(SmallEngine::csv(rows, digits, told), "", told).hints);
 }
 void expect_said(const std::string& text, const std::vector<std::string>& wanted) {
   for (const std::string& part : wanted) EXPECT_NE(text.find(part), text.npos) << part << " is not in: " << text;
@@ -117,7 +123,7 @@ TEST(Diagnosis, FitsANumberThatNoRuleNames) {
   expect_said(
       said_of([](SmallEngine& e) { stretch_earth(e, 0.5, 1); }),
       {"the Earth's rate along North (Omega cos latitude) 3.16e-05", " instead of 6.3151568e-05 rad/s explains all but "});
-  expect_said(said_of([](SmallEngine& e) { e.spin = 60.3; }, without_first, false),
+  expect_said(said_of([](SmallEngine& e) { e.spin = 60.3; }, without_first, Told::attitudes),
               {"the spin at the release 60.3 instead of 60 rad/s explains all but "});
   expect_said(said_of([](SmallEngine& e) { e.tilt_deg = 50.1; }, without_first),
               {"the tilt at the release 50.1 instead of 50 degrees explains all but "});
@@ -168,7 +174,7 @@ TEST(Diagnosis, NamesOppositeRatesAndWhatIsLeftToRounding) {
                         for (State& s : rows) s.w = -s.w;
                       }),
               {"the new result agrees to ", " if its rates have the opposite sign"});
-  expect_said(said_of([](SmallEngine& e) { e.azimuth_from_east = true; }, nullptr, true, 6),
+  expect_said(said_of([](SmallEngine& e) { e.azimuth_from_east = true; }, nullptr, Told::attitudes_and_rates, 6),
               {"with an azimuth that was counted from East",
                "its numbers have 6 digits, and what is left is their rounding; write 17"});
 }

@@ -18,6 +18,7 @@ using testing::SmallEngine;
 using testing::TemporaryDirectory;
 using testing::write_text;
 using State = SmallEngine::State;
+using Told = SmallEngine::Told;
 using V = SmallEngine::V;
 using Q = SmallEngine::Q;
 
@@ -50,12 +51,14 @@ class Bench {
   }
   std::vector<State> rows(const SmallEngine& engine) const { return engine.run(duration_, step_, inner_); }
 
-  PairReport compared(const std::string& csv, const std::string& more = "", bool with_rates = true,
+  PairReport compared(const std::string& csv, const std::string& more = "", Told told = Told::attitudes_and_rates,
                       Profile profile = Profile::physics) const {
     write_text(directory_.path() / "theirs.csv", csv);
     write_text(directory_.path() / "mapping.json",
-               std::string(R"({"time": {"column": "t"}, "quaternion": {"columns": ["q0", "q1", "q2", "q3"]})") +
-                   (with_rates ? R"(, "rates": {"columns": ["wx", "wy", "wz"]})" : "") + more + "}");
+               R"({"time": {"column": "t"}, )" +
+                   std::string(told == Told::axes ? R"("axis": {"columns": ["x", "y", "z"]})"
+                                                  : R"("quaternion": {"columns": ["q0", "q1", "q2", "q3"]})") +
+                   (told == Told::attitudes_and_rates ? R"(, "rates": {"columns": ["wx", "wy", "wz"]})" : "") + more + "}");
     CompareOptions options;
     options.tolerances.profile = profile;
     options.mapping = (directory_.path() / "mapping.json").string();
@@ -110,7 +113,7 @@ struct Case {
   std::function<void(std::vector<State>&, const SmallEngine&)> writing;  // changes what it writes; may be null
   std::vector<std::string> named;                                        // what the only sentence says
   int digits = 17;
-  bool needs_rates = false, of_earth = false, of_axes = false;
+  bool needs_rates = false, of_earth = false, of_axes = false, needs_attitude = false;
 };
 
 inline void turn_world(std::vector<State>& rows, const Q& q_LF) {
@@ -199,13 +202,23 @@ inline const std::vector<Case>& cases() {
        [](std::vector<State>& rows, const SmallEngine&) {
          for (State& s : rows) s.q = s.q.conjugate();
        },
-       {"its quaternions are taken as world-to-body"}},
+       {"its quaternions are taken as world-to-body"},
+       17,
+       false,
+       false,
+       false,
+       true},
       {"scalar last",
        nullptr,
        [](std::vector<State>& rows, const SmallEngine&) {
          for (State& s : rows) s.q = Q(s.q.x(), s.q.y(), s.q.z(), s.q.w());
        },
-       {"with the scalar part last"}},
+       {"with the scalar part last"},
+       17,
+       false,
+       false,
+       false,
+       true},
       {"degrees",
        nullptr,
        [](std::vector<State>& rows, const SmallEngine&) {
@@ -247,7 +260,12 @@ inline const std::vector<Case>& cases() {
       {"x-forward",
        nullptr,
        [](std::vector<State>& rows, const SmallEngine&) { turn_body(rows, frame_of(V(0, 0, 1), V(1, 0, 0), V(0, 1, 0))); },
-       {"its body axes are taken as our 3, 1, 2 (\"x-forward\")"}},
+       {"its body axes are taken as our 3, 1, 2 (\"x-forward\")"},
+       17,
+       false,
+       false,
+       false,
+       true},
       {"rates along world axes",
        nullptr,
        [](std::vector<State>& rows, const SmallEngine&) {
@@ -267,13 +285,23 @@ inline const std::vector<Case>& cases() {
        [](std::vector<State>& rows, const SmallEngine&) {
          for (State& s : rows) s.q.coeffs() *= 1.001;
        },
-       {"its quaternions have lengths from 1.001 to 1.001, and not 1"}},
+       {"its quaternions have lengths from 1.001 to 1.001, and not 1"},
+       17,
+       false,
+       false,
+       false,
+       true},
       {"zero quaternions",
        nullptr,
        [](std::vector<State>& rows, const SmallEngine&) {
          for (std::size_t i = 30; i < 40; ++i) rows[i].q.coeffs().setZero();
        },
-       {"10 of its ", "quaternions are zero, the first one at t = "}},
+       {"10 of its ", "quaternions are zero, the first one at t = "},
+       17,
+       false,
+       false,
+       false,
+       true},
       {"six digits", nullptr, nullptr, {"its numbers have 6 digits", "write 17"}, 6},
   };
   return all;
@@ -339,11 +367,11 @@ inline void expect_nothing_of_right_files(int count) {
     std::string world, body;
     turn_world(rows, random_axes(random, world, {"east", "west", "north", "south", "up", "down"}));
     turn_body(rows, random_axes(random, body, {"1", "-1", "2", "-2", "3", "-3"}));
-    const bool with_rates = random() % 2 == 0;
+    const Told told = random() % 2 == 0 ? Told::attitudes_and_rates : Told::attitudes;
     const int digits = 10 + static_cast<int>(random() % 8);
-    const PairReport pair = bench.compared(SmallEngine::csv(rows, digits, with_rates),
-                                           ", \"world_axes\": [" + world + "], \"body_axes\": [" + body + "]", with_rates,
-                                           random() % 2 == 0 ? Profile::physics : Profile::regression);
+    const PairReport pair =
+        bench.compared(SmallEngine::csv(rows, digits, told), ", \"world_axes\": [" + world + "], \"body_axes\": [" + body + "]",
+                       told, random() % 2 == 0 ? Profile::physics : Profile::regression);
     EXPECT_TRUE(pair.hints.empty() || pair.hints[0].find("digits, and their rounding") != std::string::npos)
         << i << ": " << all_of(pair.hints);
     differ += pair.passed() ? 0 : 1;

@@ -94,14 +94,21 @@ struct SmallEngine {
     return rows;
   }
 
-  /// As CSV with the columns t, q0 to q3, wx, wy, wz. @param with_rates  whether the last three are there
-  static std::string csv(const std::vector<State>& rows, int digits = 17, bool with_rates = true) {
+  /// What a file tells: attitudes q0 to q3 and rates wx, wy, wz; attitudes alone; or the axis alone, x, y, z. Beside the time t.
+  enum class Told { attitudes_and_rates, attitudes, axes };
+
+  static std::string csv(const std::vector<State>& rows, int digits = 17, Told told = Told::attitudes_and_rates) {
     std::ostringstream text;
     text.precision(digits);
-    text << "t,q0,q1,q2,q3" << (with_rates ? ",wx,wy,wz\n" : "\n");
+    text << (told == Told::axes ? "t,x,y,z\n" : told == Told::attitudes ? "t,q0,q1,q2,q3\n" : "t,q0,q1,q2,q3,wx,wy,wz\n");
     for (const State& s : rows) {
-      text << s.t << ',' << s.q.w() << ',' << s.q.x() << ',' << s.q.y() << ',' << s.q.z();
-      if (with_rates) text << ',' << s.w.x() << ',' << s.w.y() << ',' << s.w.z();
+      const V axis = s.q * V::UnitZ();
+      text << s.t;
+      if (told == Told::axes)
+        text << ',' << axis.x() << ',' << axis.y() << ',' << axis.z();
+      else
+        text << ',' << s.q.w() << ',' << s.q.x() << ',' << s.q.y() << ',' << s.q.z();
+      if (told == Told::attitudes_and_rates) text << ',' << s.w.x() << ',' << s.w.y() << ',' << s.w.z();
       text << '\n';
     }
     return text.str();
