@@ -25,6 +25,7 @@ add_library(earthtop-workbench
   compare/document.cpp
   compare/engine_fit.cpp
   compare/evidence.cpp
+  compare/explanation.cpp
   compare/fields.cpp
   compare/figure.cpp
   compare/figures.cpp
@@ -34,6 +35,7 @@ add_library(earthtop-workbench
   compare/mapping.cpp
   compare/mistakes.cpp
   compare/pairing.cpp
+  compare/physics_search.cpp
   compare/reading.cpp
   compare/replacement.cpp
   compare/row.cpp
