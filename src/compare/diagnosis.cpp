@@ -55,8 +55,10 @@ std::vector<std::string> explanations(const Explainer& explainer, const std::opt
     if (reading.later == 0) readings.push_back(reading);
   if (has_physics)
     if (auto found = physics->further(readings); !found.empty()) return found;
+  const char* rest = has_physics ? "; no single mistake explains the rest" : "";
+  if (has_physics && physics->nearest().ratio * kAlike < best.ratio) return {physics->nearest().sentences.front() + rest};
   const bool mostly = best.ratio <= kExplainsMost * now.ratio && best.reading != reader.mapped();
-  if (mostly) return {by_reading(best) + (has_physics ? "; no single mistake explains the rest" : "")};
+  if (mostly) return {by_reading(best) + rest};
   return has_physics ? std::vector<std::string>{"no single mistake explains this"} : std::vector<std::string>();
 }
 

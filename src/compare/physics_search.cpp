@@ -20,7 +20,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kExplains = 0.1;  // a mistake leaves at most this part of what another program may differ by
+constexpr double kExplains = 0.1;     // a mistake leaves at most this part of what another program may differ by
+constexpr double kMostly = 1.0 / 30;  // less than this part of what there was is little
 constexpr double kDegree = std::numbers::pi / 180;
 
 template <class Found>
@@ -52,6 +53,14 @@ double azimuth_deg(const Vector3d& n) { return real::atan2(n.x(), n.y()) / kDegr
 /// Whether what is left is as little as another program may differ by, and much less than there was.
 bool PhysicsSearch::explains(const Explanation& one, double part_of_now) const {
   return one.ratio <= kExplains || (one.ratio <= 1 && one.ratio <= part_of_now * now_);
+}
+
+/// @param part_of_what_was  of the differences of the same reading with the reference
+void PhysicsSearch::note_nearest(const Explanation& one, double part_of_what_was, const std::string& sentence) {
+  // Many changes of the reading at once may mimic much.
+  if (one.ratio >= nearest_.ratio || explainer_.reader().words(one.reading).size() > 1) return;
+  const double before = explainer_.explained(one.reading, evidence_.reference).ratio;
+  if (one.ratio <= part_of_what_was * before) nearest_ = {{sentence}, one.ratio};
 }
 
 /// The motion of a scenario at the samples' times; none where it has none.
@@ -110,7 +119,11 @@ bool PhysicsSearch::predicts_reference() const {
 }
 
 /// Names the mistake with which the motion of `base` is that of the file, read this way. @param before  what was found before
-NamedMistake PhysicsSearch::mistaken(const Scenario& base, const Reading& reading, const std::string& before) const {
+NamedMistake PhysicsSearch::mistaken(const Scenario& base, const Reading& reading, const std::string& before) {
+  const auto is_motion = [&](const std::string& earlier, const Explanation& one, std::string_view words) {
+    return fmt::format("{}the new result is, to {}, the motion {}{}", earlier, explainer_.left_words(one.left), words,
+                       explainer_.if_words(one.reading, ", if "));
+  };
   struct Found {
     std::string_view words;
     Explanation explanation;
@@ -121,6 +134,7 @@ NamedMistake PhysicsSearch::mistaken(const Scenario& base, const Reading& readin
       if (const auto tops = predicted(*scenario)) {
         const Explanation one = explainer_.best_reading(reading, *tops);
         if (explains(one, 1 / kAlike)) found.push_back({mistake.words, one});
+        if (before.empty()) note_nearest(one, kMostly, is_motion(before, one, mistake.words));
       }
   if (found.empty()) return {};
   const Explanation best = best_of(found).explanation;
@@ -128,9 +142,7 @@ NamedMistake PhysicsSearch::mistaken(const Scenario& base, const Reading& readin
   std::size_t alike = 0;
   for (const Found& one : found)
     if (one.explanation.ratio <= kAlike * best.ratio) words += (alike++ > 0 ? ", or " : "") + std::string(one.words);
-  return {{fmt::format("{}the new result is, to {}, the motion {}{}{}", before, explainer_.left_words(best.left), words,
-                       explainer_.if_words(best.reading, ", if "), alike > 1 ? ": the file does not tell them apart" : "")},
-          best.ratio};
+  return {{is_motion(before, best, words) + (alike > 1 ? ": the file does not tell them apart" : "")}, best.ratio};
 }
 
 /// The differences over some samples, each in parts of what another program may differ by.
@@ -177,7 +189,7 @@ std::optional<PhysicsSearch::Fit> PhysicsSearch::fit(const Scenario& base, const
     if (!(slope.squaredNorm() > 0)) return std::nullopt;
     const double change = -slope.dot(rest) / slope.squaredNorm();
     if (!std::isfinite(change) || std::abs(change) > 10 * size) return std::nullopt;
-    fit.sure = kEqual / slope.cwiseAbs().maxCoeff();
+    fit.sure = std::max(kEqual, fit.explanation.ratio) / slope.cwiseAbs().maxCoeff();
     if (std::abs(change) < std::max(kSmallStep * size, 1e-3 * fit.sure)) break;
     fit.value += change;
   }
@@ -187,11 +199,15 @@ std::optional<PhysicsSearch::Fit> PhysicsSearch::fit(const Scenario& base, const
   return fit;
 }
 
-std::vector<std::string> PhysicsSearch::fitted(const Scenario& base, const Reading& reading, const std::string& before) const {
+std::vector<std::string> PhysicsSearch::fitted(const Scenario& base, const Reading& reading, const std::string& before) {
   constexpr double kLeastChange = 3e-6;  // phases of an inaccurate program are off by less
   struct Found {
     std::string text;
     Explanation explanation;
+  };
+  const auto explains_all_but = [&](const std::string& words, const Explanation& one) {
+    return fmt::format("{}{} explains all but {}{}", before, words, explainer_.left_words(one.left),
+                       explainer_.if_words(one.reading, ", if "));
   };
   std::vector<Found> found;
   const Scene scene(base);
@@ -199,19 +215,18 @@ std::vector<std::string> PhysicsSearch::fitted(const Scenario& base, const Readi
     const auto from = suspect.value(scene);
     if (!from) continue;
     const auto fit = this->fit(base, suspect, *from, reading);
-    if (!fit || !explains(fit->explanation, kExplainsMost)) continue;
-    if (std::abs(fit->value - *from) < kLeastChange * size_of(suspect, *from)) continue;
-    found.push_back(
-        {fmt::format("{} {} instead of {:.8g} {}", suspect.name, fewest_digits(fit->value, fit->sure), *from, suspect.unit),
-         fit->explanation});
+    if (!fit || std::abs(fit->value - *from) < kLeastChange * size_of(suspect, *from)) continue;
+    std::string text =
+        fmt::format("{} {} instead of {:.8g} {}", suspect.name, fewest_digits(fit->value, fit->sure), *from, suspect.unit);
+    if (before.empty()) note_nearest(fit->explanation, kExplainsMost, explains_all_but(text, fit->explanation));
+    if (explains(fit->explanation, kExplainsMost)) found.push_back({std::move(text), fit->explanation});
   }
   if (found.empty()) return {};
   const Explanation best = best_of(found).explanation;
   std::string words;
   for (const Found& one : found)
     if (one.explanation.ratio <= kAlike * best.ratio) words += (words.empty() ? "" : ", or ") + one.text;
-  return {fmt::format("{}{} explains all but {}{}", before, words, explainer_.left_words(best.left),
-                      explainer_.if_words(best.reading, ", if "))};
+  return {explains_all_but(words, best)};
 }
 
 /// The scenario released as the file's first row says, and what differs there in words; none where it is the reference's.
@@ -278,7 +293,7 @@ std::optional<PhysicsSearch::Release> PhysicsSearch::as_released(const Reading& 
   return Release{std::move(scenario), "it differs at the release already: " + text, differences, reading};
 }
 
-std::vector<std::string> PhysicsSearch::further(const std::vector<Reading>& readings) const {
+std::vector<std::string> PhysicsSearch::further(const std::vector<Reading>& readings) {
   const Scenario base = resolved_scenario(scene_);
   for (const Reading& reading : readings)
     if (NamedMistake found = mistaken(base, reading, ""); !found.sentences.empty()) return found.sentences;
@@ -292,10 +307,13 @@ std::vector<std::string> PhysicsSearch::further(const std::vector<Reading>& read
   std::stable_sort(releases.begin(), releases.end(),
                    [](const Release& a, const Release& b) { return a.differences < b.differences; });
   for (const Release& release : releases)
-    if (const auto tops = predicted(release.scenario))
-      if (const Explanation one = explainer_.best_reading(release.reading, *tops); explains(one, kExplainsMost))
-        return {fmt::format("{}; the motion from there agrees to {}{}", release.words, explainer_.left_words(one.left),
-                            explainer_.if_words(one.reading, ", if "))};
+    if (const auto tops = predicted(release.scenario)) {
+      const Explanation one = explainer_.best_reading(release.reading, *tops);
+      std::string sentence = fmt::format("{}; the motion from there agrees to {}{}", release.words,
+                                         explainer_.left_words(one.left), explainer_.if_words(one.reading, ", if "));
+      if (explains(one, kExplainsMost)) return {std::move(sentence)};
+      note_nearest(one, kMostly, sentence);
+    }
   for (const Release& release : releases)
     if (NamedMistake found = mistaken(release.scenario, release.reading, release.words + "; from there ");
         !found.sentences.empty())
@@ -309,6 +327,6 @@ std::vector<std::string> PhysicsSearch::further(const std::vector<Reading>& read
   return {};
 }
 
-NamedMistake PhysicsSearch::by_name(const Reading& reading) const { return mistaken(resolved_scenario(scene_), reading, ""); }
+NamedMistake PhysicsSearch::by_name(const Reading& reading) { return mistaken(resolved_scenario(scene_), reading, ""); }
 
 }  // namespace earthtop::compare

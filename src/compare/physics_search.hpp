@@ -28,9 +28,11 @@ class PhysicsSearch {
   /// Whether the scene's own motion is that of the reference, so that others can be told from it, and is found in a moment.
   bool predicts_reference() const;
   /// The mistake of the table with which the scenario's motion is that of the file, read in this way.
-  NamedMistake by_name(const Reading& reading) const;
+  NamedMistake by_name(const Reading& reading);
   /// A mistake of the table in a file that may be read in these ways; else another release; else another number. One sentence, or none.
-  std::vector<std::string> further(const std::vector<Reading>& readings) const;
+  std::vector<std::string> further(const std::vector<Reading>& readings);
+  /// What came nearest of all that was looked at, if it leaves little of what there was, though more than another program may differ by.
+  const NamedMistake& nearest() const { return nearest_; }
 
  private:
   /// A scenario that is released as the file's first row says.
@@ -46,10 +48,11 @@ class PhysicsSearch {
   };
 
   bool explains(const Explanation& one, double part_of_now) const;
+  void note_nearest(const Explanation& one, double part_of_what_was, const std::string& sentence);
   std::optional<Tops> predicted(const Scenario& scenario) const;
   double predicted_until_s() const;
-  NamedMistake mistaken(const Scenario& base, const Reading& reading, const std::string& before) const;
-  std::vector<std::string> fitted(const Scenario& base, const Reading& reading, const std::string& before) const;
+  NamedMistake mistaken(const Scenario& base, const Reading& reading, const std::string& before);
+  std::vector<std::string> fitted(const Scenario& base, const Reading& reading, const std::string& before);
   std::optional<Fit> fit(const Scenario& base, const Suspect& suspect, double from, const Reading& reading) const;
   Eigen::VectorXd residuals(const Tops& read, const Tops& expected, std::size_t end) const;
   std::optional<Release> as_released(const Reading& reading) const;
@@ -59,6 +62,7 @@ class PhysicsSearch {
   const Scene& scene_;
   double now_;
   const Watch& watch_;
+  NamedMistake nearest_;
 };
 
 }  // namespace earthtop::compare
