@@ -120,7 +120,8 @@ void require_affordable(const Study& study) {
   if (*count == 0) refuse("/axes", "the study has no points");
   StudyEstimate e = estimate(study);
   // A rule may be far above what a study takes: it does not refuse without a look at some points.
-  if (e.core_seconds > 3600 * limit.core_hours) e.core_seconds = std::min(e.core_seconds, time_study(study, 1).core_seconds);
+  if (e.core_seconds > 3600 * limit.core_hours)
+    e.core_seconds = std::min(e.core_seconds, time_study(study, 1, {}, 1).core_seconds);
   if (e.core_seconds > 3600 * limit.core_hours)
     refuse("/axes",
            fmt::format(

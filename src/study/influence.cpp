@@ -7,10 +7,12 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
 #include "earthtop/scenario/inputs.hpp"
 #include "earthtop/study/indices_note.hpp"
 #include "study/design.hpp"

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <thread>
 
@@ -17,7 +18,7 @@ namespace earthtop {
 namespace study {
 namespace {
 
-constexpr double kBudget_s = 0.5, kMostOfAChunk_s = 1.5;
+constexpr double kBudget_s = 0.5, kBudgetOfSlow_s = 1.5;  // the second for points that are computed one by one
 constexpr std::size_t kSideBySide = 8;
 
 /// Points computed together: their number and time, and the time that a rule gives them.
@@ -38,7 +39,7 @@ class Timer {
  public:
   explicit Timer(const Study& study) : study_(study), collector_(study), count_(reach(study, point_count(study).value_or(0))) {}
 
-  TimedChunk time(std::size_t size) {
+  TimedChunk time(std::size_t size, double patience_s) {
     TimedChunk timed;
     Chunk chunk;
     Design design(study_);
@@ -56,12 +57,17 @@ class Timer {
         timed.by_rule = seconds_by_rule(*scene, collector_.looks_between());
     }
     Progress progress;
-    const Deadline deadline(kMostOfAChunk_s);
+    const Deadline deadline(patience_s);
     const double start = thread_seconds();
     compute(study_, collector_, chunk, Watch(deadline.passed(), &progress));
     timed.seconds = thread_seconds() - start;
     timed.is_whole = !deadline.passed()->load();
     timed.done = static_cast<double>(timed.size) * (timed.is_whole ? 1 : progress.share());
+    if (!timed.is_whole && timed.size == 1 && timed.by_rule > 0 && timed.done > 0) {
+      // Progress is told of parts that are not of one length. Rule and share err to either side: between the two.
+      const double whole_s = std::max(timed.seconds, std::sqrt(timed.seconds / timed.done * timed.by_rule));
+      timed.done = timed.seconds / whole_s;
+    }
     return timed;
   }
 
@@ -74,24 +80,26 @@ class Timer {
 
 /// Times chunks as a study computes them, until the budget is used.
 /// @param seconds_a_point  what a study begins with
-std::vector<TimedChunk> timed_chunks(const Study& study, unsigned jobs, std::uint64_t points, double seconds_a_point) {
+std::vector<TimedChunk> timed_chunks(const Study& study, unsigned jobs, std::uint64_t points, double seconds_a_point,
+                                     double patience_s) {
   std::vector<TimedChunk> chunks;
   Timer timer(study);
-  for (double left = kBudget_s; left > 0;) {
+  double spent = 0, seen = 0;
+  while (true) {
     std::size_t size = std::min<std::uint64_t>(ChunkSize(seconds_a_point, jobs).points(points), points);
+    const double left = (size < kSideBySide ? kBudgetOfSlow_s : kBudget_s) - spent;
+    if (left <= 0) break;
     if (size >= kSideBySide) {
       const auto affordable = static_cast<std::size_t>(std::min(left / std::max(seconds_a_point, 1e-9), 1e6));
       const std::size_t most = chunks.empty() ? kSideBySide : std::max(kSideBySide, affordable / kSideBySide * kSideBySide);
       size = std::min(size, most);
     }
-    chunks.push_back(timer.time(size));
+    chunks.push_back(timer.time(size, patience_s));
     const TimedChunk& last = chunks.back();
-    if (!last.is_whole || last.done <= 0 || size == points) break;
+    spent += last.seconds;
+    seen += last.done;
+    if (!last.is_whole || size == points || seen >= 2 * static_cast<double>(points)) break;
     seconds_a_point = last.seconds / last.done;
-    left -= last.seconds;
-    double seen = 0;
-    for (const TimedChunk& chunk : chunks) seen += chunk.done;
-    if (seen >= 2 * static_cast<double>(points)) break;
   }
   return chunks;
 }
@@ -99,7 +107,7 @@ std::vector<TimedChunk> timed_chunks(const Study& study, unsigned jobs, std::uin
 }  // namespace
 }  // namespace study
 
-StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shard) {
+StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shard, double patience_s) {
   using namespace earthtop::study;
   const StudyEstimate expected = estimate(study);
   const auto count = static_cast<double>(expected.points);
@@ -108,7 +116,8 @@ StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shar
   timing.shard_points = expected.points < shard.k ? 0 : (expected.points - shard.k) / shard.n + 1;
   double slowest = 0;
   try {
-    const std::vector<TimedChunk> chunks = timed_chunks(study, jobs, expected.points, expected.core_seconds / count);
+    const std::vector<TimedChunk> chunks =
+        timed_chunks(study, jobs, expected.points, expected.core_seconds / count, patience_s);
     // The first ones only tell how many points to take together.
     constexpr std::size_t kAlike = 4;
     TimedChunk all;
@@ -130,6 +139,7 @@ StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shar
       timing.core_seconds = kStart_s + count * (a_point + kStoring_s);
     } else {
       timing.points_timed = 0;
+      timing.core_seconds = std::max(timing.core_seconds, count * chunks.back().seconds);
     }
   } catch (const std::system_error&) {  // there is no thread to tell the time
     timing.points_timed = timing.spent_seconds = 0;

@@ -271,6 +271,31 @@ TEST(DerivativeIndices, BoundTheTotalIndicesOfAStudy) {
             "tilt_by_tilt gives no derivative-based index, as drift.tilt_final_rad is not collected");
 }
 
+/// In an axis of equal ratios the logarithm is what is spread evenly.
+TEST(DerivativeIndices, OfAnAxisOfRatiosAreByItsLogarithm) {
+  const TemporaryDirectory dir;
+  const auto document = results_of(
+      parse_study({"ratios.json", R"({"base": ")" + std::string(EARTHTOP_SCENARIOS) +
+                                      R"(/toy-top.json", "set": {"/motion/duration_s": 0.5, "/report": {"sensitivities": true}},
+        "axes": [{"name": "rate", "pointer": "/earth/rotation_rate_rad_s", "log_range": {"from": 1e-5, "to": 1e-3}}],
+        "design": {"kind": "random", "points": 50},
+        "collect": ["drift.axis_final_rad", "drift.verdict", {"name": "by_rate", "path": "sensitivities.inputs.4.d_axis_rad"}]})"}),
+      dir);
+  double squares = 0, sum = 0, sum_of_squares = 0;
+  for (const auto& point : document.at("points")) {
+    const double f = point.at("drift.axis_final_rad");
+    squares += std::pow(point.at("by_rate").get<double>() * point.at("rate").get<double>() * std::log(100), 2) / 50;
+    sum += f / 50;
+    sum_of_squares += f * f / 50;
+  }
+  const auto& index = document.at("derivative_indices").at("drift.axis_final_rad").at("rate");
+  const double bound = squares / (sum_of_squares - sum * sum) / std::pow(3.14159265358979323846, 2);
+  constexpr double kSums = 1e-9;  // relative; the variance loses some digits to the mean
+  EXPECT_NEAR(index.at("total_order_bound").get<double>() / bound, 1, kSums);
+  EXPECT_EQ(index.at("points"), 50);
+  EXPECT_TRUE(document.at("derivative_notes").empty());
+}
+
 TEST(DerivativeIndices, AreNotedWhereTheyDoNotHold) {
   const TemporaryDirectory dir, grid;
   const auto document =

@@ -19,11 +19,11 @@ struct StudyTiming {
 };
 
 /// Computes some points of a study, chosen across its design, in groups as large as those that a study computes, for about half a
-/// second of processor time, and tells from their times how long the study takes. A point that takes more than a second and a half is
-/// given up, and its time told from the share of it that was done. Where nothing can be timed, as no point can run, the times are
-/// those of `estimate`. Nothing is stored.
+/// second of processor time (a second and a half where they are slow), and tells from their times how long the study takes. Points that take
+/// longer than `patience_s` are given up, and their time told from the share of them that was done. Where nothing can be timed, the times
+/// are those of `estimate`. Nothing is stored.
 /// @param jobs  threads of the study, at least 1   @throws ScenarioError if the base cannot be read
-StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shard = {});
+StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shard = {}, double patience_s = 8);
 
 /// What the times rest on, in words.
 std::string timing_basis(const StudyTiming& timing);
