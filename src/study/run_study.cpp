@@ -12,7 +12,6 @@
 #include "earthtop/run.hpp"
 #include "input/file.hpp"
 #include "results/file_set.hpp"
-#include "study/chunk_size.hpp"
 #include "study/process_workforce.hpp"
 #include "study/store.hpp"
 #include "study/store_lock.hpp"

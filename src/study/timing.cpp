@@ -11,7 +11,6 @@
 #include "bench/deadline.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "study/chunk.hpp"
-#include "study/chunk_size.hpp"
 #include "study/sampled_numbers.hpp"
 
 namespace earthtop {
