@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
@@ -134,9 +135,9 @@ std::string basis_text(const IndexBasis& basis) {
 namespace {
 /// The share of the design's box where a quantity has no value: the share of the points, each of which is spread evenly over it.
 std::string share_left_out(const IndexBasis& basis) {
-  return fmt::format("about {:.2g} % of the box of the axes cannot exist ({} of {} points)",
-                     100 * static_cast<double>(basis.without_value) / static_cast<double>(basis.points), basis.without_value,
-                     basis.points);
+  const double percent = 100 * static_cast<double>(basis.without_value) / static_cast<double>(basis.points);
+  return fmt::format("about {:.{}f} % of the box of the axes cannot exist ({} of {} points)", percent, percent < 10 ? 1 : 0,
+                     basis.without_value, basis.points);
 }
 }  // namespace
 
@@ -169,11 +170,13 @@ void add_sobol_indices(Store& store, const std::vector<Moments>& moments, const 
   all.planned = study.design.points;
   std::vector<IndexBasis> bases(quantities, all);
   std::vector<PointResult> block;
+  bool any_completed = false;
   const auto value = [](const PointResult& point, std::size_t q) {
     return point.failed() ? std::nullopt : number_of(point.values[q]);
   };
   store.for_each([&](const PointResult& point) {
     if (watch.asks_to_stop()) throw Interrupted();
+    any_completed = any_completed || !point.failed();
     for (std::size_t q = 0; q < quantities; ++q) {
       ++bases[q].points;
       if (!value(point, q)) ++bases[q].without_value;
@@ -194,7 +197,7 @@ void add_sobol_indices(Store& store, const std::vector<Moments>& moments, const 
   });
   Json json = Json::object(), told = Json::object();
   for (std::size_t q = 0; q < quantities; ++q) {
-    if (moments[q].count == 0) continue;
+    if (moments[q].count == 0 && any_completed) continue;  // words, or a number that no run has
     const std::string& name = study.quantities[q].name;
     const IndexBasis& basis = bases[q];
     Json& basis_of = told[name] = Json::object();
@@ -258,15 +261,18 @@ std::optional<InputPath> input_path(std::string_view path) {
 /// is no number of its own; from the first point that can be resolved.
 std::vector<std::string_view> input_pointers(const Study& study) {
   constexpr std::uint64_t kTried = 20;
-  const Collector collector(study);
-  Design design(study);
-  const std::uint64_t count = std::min(point_count(study).value_or(0), kTried);
-  for (std::uint64_t number = 0; number < count; ++number) {
-    const ScenarioReport report = collector.examine(point_changes(study, design.point(number)));
-    if (!report.scenario) continue;
-    std::vector<std::string_view> pointers;
-    for (const std::size_t input : inputs_of(*report.scenario)) pointers.push_back(kInputs[input].of);
-    return pointers;
+  try {
+    const Collector collector(study);
+    Design design(study);
+    const std::uint64_t count = std::min(point_count(study).value_or(0), kTried);
+    for (std::uint64_t number = 0; number < count; ++number) {
+      const ScenarioReport report = collector.examine(point_changes(study, design.point(number)));
+      if (!report.scenario) continue;
+      std::vector<std::string_view> pointers;
+      for (const std::size_t input : inputs_of(*report.scenario)) pointers.push_back(kInputs[input].of);
+      return pointers;
+    }
+  } catch (const std::runtime_error&) {  // the base of an old store, or a file that it names, cannot be read today
   }
   return {};
 }
@@ -301,6 +307,7 @@ void add_derivative_indices(Store& store, const std::vector<Moments>& moments, c
   if (!any) return;
   Json notes = Json::array();
   const std::vector<std::string_view> pointers = input_pointers(study);
+  if (pointers.empty()) notes.push_back("there are no derivative-based indices, as none of the first points has a scenario");
   const bool drawn = study.design.kind != DesignKind::grid && study.design.kind != DesignKind::one_at_a_time;
   std::vector<CollectedDerivative> collected;
   for (std::size_t d = 0; d < study.quantities.size(); ++d) {

@@ -152,8 +152,11 @@ StudyTiming time_study(const Study& study, unsigned jobs, const StudyShard& shar
 
 std::string timing_basis(const StudyTiming& timing) {
   if (!timing.is_timed()) return "The times are estimated by rules, as no point could be timed";
-  return fmt::format("The times are those of {:.3g} {} of the design, computed as the study does, which took {:.2g} s",
-                     timing.points_timed, timing.points_timed == 1 ? "point" : "points", timing.spent_seconds);
+  const std::string took = fmt::format(", computed as the study does, which took {:.2g} s", timing.spent_seconds);
+  if (timing.points_timed < 1)
+    return fmt::format("The times are told from the first {:.0f} % of one point{}", 100 * timing.points_timed, took);
+  return fmt::format("The times are those of {:.0f} {} of the design{}", timing.points_timed,
+                     timing.points_timed < 1.5 ? "point" : "points", took);
 }
 
 }  // namespace earthtop

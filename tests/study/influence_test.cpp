@@ -149,6 +149,7 @@ study::Json results_of(const Study& study, const TemporaryDirectory& dir, fs::pa
   StudyRunOptions options;
   options.dir = dir.path() / "study";
   options.jobs = 2;
+  options.keep_going = true;
   const fs::path file = run_study(study, options).store;
   if (store) *store = file;
   return study::Json::parse(study_json(file));
@@ -297,7 +298,18 @@ TEST(DerivativeIndices, OfAnAxisOfRatiosAreByItsLogarithm) {
 }
 
 TEST(DerivativeIndices, AreNotedWhereTheyDoNotHold) {
-  const TemporaryDirectory dir, grid;
+  const TemporaryDirectory dir, grid, nowhere;
+  const auto of_nothing =
+      results_of(sobol_study(R"("from": 100, "to": 120)", 32, R"("drift.axis_final_rad", "sensitivities.inputs.0.d_axis_rad")",
+                             R"(, "/report": {"sensitivities": true})"),
+                 nowhere);
+  EXPECT_EQ(of_nothing.at("derivative_notes").at(0),
+            "there are no derivative-based indices, as none of the first points has a scenario");
+  EXPECT_TRUE(of_nothing.at("derivative_indices").empty());
+  EXPECT_EQ(
+      of_nothing.at("indices_basis").at("drift.axis_final_rad").at("no_indices"),
+      "only 0 of 32 base points have all their values, and Sobol indices need at least 32; about 100 % of the box of the axes "
+      "cannot exist (128 of 128 points)");
   const auto document =
       results_of(sobol_study(R"("from": 60, "to": 120)", 32, R"("drift.axis_final_rad", "sensitivities.inputs.0.d_axis_rad")",
                              R"(, "/report": {"sensitivities": true})"),
@@ -449,6 +461,12 @@ TEST(StudyTiming, IsToldFromPointsThatWereComputed) {
   EXPECT_EQ(one.seconds, one.core_seconds);
   EXPECT_EQ(shard.seconds, shard.core_seconds / 4);
   EXPECT_TRUE(timing_basis(one).starts_with("The times are those of "));
+  EXPECT_EQ(timing_basis({9, 9, 10, 1200, 0.5}),
+            "The times are those of 1200 points of the design, computed as the study does, which took 0.5 s");
+  EXPECT_EQ(timing_basis({9, 9, 10, 1, 2}),
+            "The times are those of 1 point of the design, computed as the study does, which took 2 s");
+  EXPECT_EQ(timing_basis({9, 9, 10, 0.58, 8}),
+            "The times are told from the first 58 % of one point, computed as the study does, which took 8 s");
   EXPECT_EQ(timing_basis({}), "The times are estimated by rules, as no point could be timed");
 }
 
