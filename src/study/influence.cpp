@@ -136,8 +136,9 @@ namespace {
 /// The share of the design's box where a quantity has no value: the share of the points, each of which is spread evenly over it.
 std::string share_left_out(const IndexBasis& basis) {
   const double percent = 100 * static_cast<double>(basis.without_value) / static_cast<double>(basis.points);
-  return fmt::format("about {:.{}f} % of the box of the axes cannot exist ({} of {} points)", percent, percent < 10 ? 1 : 0,
-                     basis.without_value, basis.points);
+  return fmt::format("about {} % of the box of the axes cannot exist ({} of {} points)",
+                     percent < 10 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent), basis.without_value,
+                     basis.points);
 }
 }  // namespace
 

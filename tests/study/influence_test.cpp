@@ -124,6 +124,7 @@ TEST(IndexBasis, IsTold) {
       study::left_out_warning(part),
       "24 of 64 base points are left out, as they have points that failed or have no value. The indices are therefore those of "
       "another distribution than the design's: about 24 % of the box of the axes cannot exist (77 of 320 points)");
+  EXPECT_NE(study::left_out_warning({64, 64, 63, 320, 1}).find("about 0.31 % of the box"), std::string::npos);
   EXPECT_EQ(study::basis_text(under_way), "from 40 of 64 base points");
   EXPECT_EQ(study::left_out_warning(under_way), "");
   EXPECT_EQ(
