@@ -120,12 +120,14 @@ add_library(earthtop-workbench
   study/figure.cpp
   study/gathering.cpp
   study/identity.cpp
+  study/influence.cpp
   study/json_text.cpp
   study/launcher.cpp
   study/message.cpp
   study/rank_search.cpp
   study/results.cpp
   study/run_study.cpp
+  study/selection.cpp
   study/sqlite.cpp
   study/statistics.cpp
   study/store.cpp
@@ -133,6 +135,7 @@ add_library(earthtop-workbench
   study/study.cpp
   study/study_file.cpp
   study/threads.cpp
+  study/timing.cpp
   study/value.cpp
   verify/closed_form.cpp
   verify/differences.cpp

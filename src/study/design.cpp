@@ -163,8 +163,8 @@ std::optional<std::uint64_t> point_count(const Study& study) {
       count = 1;
       for (const StudyAxis& axis : study.axes) count = std::min(count + std::min(axis.size(), kMostPoints), kMostPoints + 1);
       break;
-    case DesignKind::random:
     case DesignKind::latin_hypercube: count = study.design.points; break;
+    case DesignKind::random:
     case DesignKind::sobol:
       count = study.design.indices ? times_up_to(study.design.points, study.axes.size() + 2) : study.design.points;
       break;

@@ -57,7 +57,9 @@ constexpr Field kStudyFields[] = {
      "for a drawn design: the number of points; for Sobol indices: the number of base points"},
     {"/design/seed", number, "", {0, kLargestWhole, false}, "", "1", "seed of a drawn design; recorded with the results"},
     {"/design/indices", flag, "", kAny, "", "false",
-     "for a Sobol design: whether to compute (axes + 2) x points runs, and first- and total-order Sobol indices from them"},
+     "for the designs sobol and random: whether to compute (axes + 2) x points runs, and first- and total-order Sobol indices "
+     "from "
+     "them"},
 
     {"/collect", anything, "", kAny, "",
      "[\"drift.axis_final_rad\",\"drift.axis_bound_rad\",\"drift.azimuth_final_rad\",\"drift.tilt_final_rad\",\"drift."

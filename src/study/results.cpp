@@ -17,6 +17,7 @@
 #include "results/seal.hpp"
 #include "study/figure.hpp"
 #include "study/gathering.hpp"
+#include "study/influence.hpp"
 #include "study/json_text.hpp"
 #include "study/rank_search.hpp"
 #include "study/store.hpp"
@@ -37,43 +38,6 @@ constexpr std::size_t kMostListedValues = 500;  // largest list of values of an 
 
 void stop_if_asked(const Watch& watch) {
   if (watch.asks_to_stop()) throw Interrupted();
-}
-
-/// Sobol indices, from another pass over the points, which gathers the blocks of Saltelli's scheme.
-Json sobol_indices(Store& store, const std::vector<Moments>& moments, const Watch& watch) {
-  const Study& study = store.study();
-  const std::size_t inputs = study.axes.size(), quantities = study.quantities.size();
-  std::vector<SobolSums> sums;
-  sums.reserve(quantities);
-  for (std::size_t q = 0; q < quantities; ++q) sums.emplace_back(inputs, moments[q].mean);
-  std::vector<PointResult> block;
-  store.for_each([&](const PointResult& point) {
-    stop_if_asked(watch);
-    if (point.number % (inputs + 2) == 0) block.clear();
-    block.push_back(point);
-    const bool whole = block.size() == inputs + 2 && block.front().number % (inputs + 2) == 0 &&
-                       block.back().number == block.front().number + inputs + 1;
-    if (!whole || std::any_of(block.begin(), block.end(), [](const PointResult& p) { return p.failed(); })) return;
-    for (std::size_t q = 0; q < quantities; ++q) {
-      std::vector<double> f;
-      f.reserve(block.size());
-      for (const PointResult& p : block)
-        if (const auto y = number_of(p.values[q])) f.push_back(*y);
-      if (f.size() == block.size()) sums[q].include(f[0], f[1], {f.begin() + 2, f.end()});
-    }
-  });
-  Json json = Json::object();
-  for (std::size_t q = 0; q < quantities; ++q) {
-    const auto indices = sums[q].indices();
-    if (indices.empty()) continue;
-    Json& of = json[study.quantities[q].name] = Json::object();
-    for (std::size_t i = 0; i < inputs; ++i)
-      of[study.axes[i].name] = {{"first_order", indices[i].first},
-                                {"first_order_standard_error", indices[i].first_standard_error},
-                                {"total_order", indices[i].total},
-                                {"total_order_standard_error", indices[i].total_standard_error}};
-  }
-  return json;
 }
 
 Json axes_json(const Study& study) {
@@ -193,7 +157,8 @@ Json document_of(Store& store, const Watch& watch) {
   document["statistics"] = statistics_json(store, gathering.moments(), watch);
   document["marginals"] = gathering.marginals();
   document["fits"] = gathering.fits();
-  if (study.design.indices) document["indices"] = sobol_indices(store, gathering.moments(), watch);
+  if (study.design.indices) add_sobol_indices(store, gathering.moments(), watch, document);
+  add_derivative_indices(store, gathering.moments(), watch, document);
   document["points"] = gathering.points();
   document["figures"] = figures_json(study, document);
   document["provenance"] = provenance_json(store);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numbers>
 
 #include "earthtop/real.hpp"
 #include "error/gsl_errors.hpp"
@@ -68,64 +69,115 @@ std::optional<Line> LineFit::line() {
   return line;
 }
 
+double jackknife_error(const std::vector<double>& without) {
+  const auto n = static_cast<double>(without.size());
+  double mean = 0, squares = 0, fourths = 0;
+  for (const double x : without) mean += x / n;
+  for (const double x : without) {
+    const double square = (x - mean) * (x - mean);
+    squares += square;
+    fourths += square * square;
+  }
+  if (squares == 0) return 0;
+  const double kurtosis = n * (fourths / squares) / squares;
+  const double freedom = 2 * n / std::max(kurtosis - 1, 2.0);  // that of a normal distribution has 2 for the difference
+  constexpr double kZ = 1.96, kZ3 = kZ * kZ * kZ, kZ5 = kZ3 * kZ * kZ;
+  const double student = 1 + ((kZ3 + kZ) / (4 * freedom) + (5 * kZ5 + 16 * kZ3 + 3 * kZ) / (96 * freedom * freedom)) / kZ;
+  return std::sqrt(squares * (n - 1) / n) * student;
+}
+
 void SobolSums::include(double f_A, double f_B, const std::vector<double>& f_ABi) {
-  Sums& group = groups_[next_group_];
-  next_group_ = (next_group_ + 1) % kGroups;
+  if (parts_.size() <= next_part_) {
+    parts_.emplace_back();
+    parts_.back().first.resize(inputs_);
+    parts_.back().total.resize(inputs_);
+  }
+  Sums& part = parts_[next_part_];
+  next_part_ = (next_part_ + 1) % kJackknifeParts;
   const double a = f_A - mean_, b = f_B - mean_;
-  ++group.blocks;
-  group.sum += a + b;
-  group.squares += a * a + b * b;
+  ++part.blocks;
+  part.sum += a + b;
+  part.squares += a * a + b * b;
   for (std::size_t i = 0; i < inputs_; ++i) {
     const double step = f_ABi[i] - f_A;
-    group.first[i] += b * step;
-    group.total[i] += step * step / 2;
+    part.first[i] += b * step;
+    part.total[i] += step * step / 2;
   }
 }
 
 std::uint64_t SobolSums::blocks() const {
   std::uint64_t blocks = 0;
-  for (const Sums& group : groups_) blocks += group.blocks;
+  for (const Sums& part : parts_) blocks += part.blocks;
   return blocks;
 }
 
 std::vector<SobolIndex> SobolSums::indices() const {
-  if (blocks() < 2 * kGroups) return {};
-  constexpr std::size_t kNone = kGroups;
-  struct Estimate {
-    double first, total;
-  };
-  const auto estimate = [&](std::size_t input, std::size_t left_out) {
-    double n = 0, sum = 0, squares = 0, first = 0, total = 0;
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      if (g == left_out) continue;
-      n += static_cast<double>(groups_[g].blocks);
-      sum += groups_[g].sum;
-      squares += groups_[g].squares;
-      first += groups_[g].first[input];
-      total += groups_[g].total[input];
-    }
+  if (blocks() < kFewestBasePoints) return {};
+  const auto of = [](double n, double sum, double squares, double numerator) {
     const double mean = sum / (2 * n), variance = squares / (2 * n) - mean * mean;
-    return Estimate{first / n / variance, total / n / variance};
+    return numerator / n / variance;
   };
   std::vector<SobolIndex> list(inputs_);
+  const auto count = static_cast<double>(blocks());
+  double sum = 0, squares = 0;
+  for (const Sums& part : parts_) sum += part.sum, squares += part.squares;
   for (std::size_t i = 0; i < inputs_; ++i) {
-    const Estimate whole = estimate(i, kNone);
-    if (!std::isfinite(whole.first) || !std::isfinite(whole.total)) return {};
-    double first_mean = 0, total_mean = 0, first_squares = 0, total_squares = 0;
-    std::array<Estimate, kGroups> part{};
-    for (std::size_t g = 0; g < kGroups; ++g) {
-      part[g] = estimate(i, g);
-      first_mean += part[g].first / kGroups;
-      total_mean += part[g].total / kGroups;
+    double first = 0, total = 0;
+    for (const Sums& part : parts_) first += part.first[i], total += part.total[i];
+    std::vector<double> first_without, total_without;
+    first_without.reserve(parts_.size());
+    total_without.reserve(parts_.size());
+    for (const Sums& part : parts_) {
+      const double n = count - static_cast<double>(part.blocks);
+      first_without.push_back(of(n, sum - part.sum, squares - part.squares, first - part.first[i]));
+      total_without.push_back(of(n, sum - part.sum, squares - part.squares, total - part.total[i]));
     }
-    for (const Estimate& p : part) {
-      first_squares += (p.first - first_mean) * (p.first - first_mean);
-      total_squares += (p.total - total_mean) * (p.total - total_mean);
-    }
-    constexpr double kJackknife = (kGroups - 1.0) / kGroups;
-    list[i] = {whole.first, std::sqrt(kJackknife * first_squares), whole.total, std::sqrt(kJackknife * total_squares)};
+    list[i] = {of(count, sum, squares, first), jackknife_error(first_without), of(count, sum, squares, total),
+               jackknife_error(total_without)};
+    // Neither is finite where f does not vary, or varies in one part only.
+    if (!std::isfinite(list[i].first_standard_error) || !std::isfinite(list[i].total_standard_error)) return {};
   }
   return list;
+}
+
+void DerivativeSums::include(double f, double derivative, double per_range) {
+  if (parts_.size() <= next_part_) parts_.emplace_back();
+  Sums& part = parts_[next_part_];
+  next_part_ = (next_part_ + 1) % kJackknifeParts;
+  const double y = f - mean_;
+  part.points += 1;
+  part.sum += y;
+  part.squares += y * y;
+  part.derivative_squares += derivative * derivative;
+  part.per_range_squares += per_range * per_range;
+}
+
+std::optional<DerivativeIndex> DerivativeSums::index() const {
+  Sums all;
+  for (const Sums& part : parts_) {
+    all.points += part.points;
+    all.sum += part.sum;
+    all.squares += part.squares;
+    all.derivative_squares += part.derivative_squares;
+    all.per_range_squares += part.per_range_squares;
+  }
+  if (all.points < 2) return std::nullopt;
+  const auto bound = [](const Sums& s) {
+    const double mean = s.sum / s.points, variance = s.squares / s.points - mean * mean;
+    return s.per_range_squares / s.points / variance / (std::numbers::pi * std::numbers::pi);
+  };
+  DerivativeIndex index{static_cast<std::uint64_t>(all.points), all.derivative_squares / all.points, 0, bound(all), 0};
+  std::vector<double> squares_without, bound_without;
+  for (const Sums& part : parts_) {
+    const Sums rest{all.points - part.points, all.sum - part.sum, all.squares - part.squares,
+                    all.derivative_squares - part.derivative_squares, all.per_range_squares - part.per_range_squares};
+    squares_without.push_back(rest.derivative_squares / rest.points);
+    bound_without.push_back(bound(rest));
+  }
+  index.mean_square_standard_error = jackknife_error(squares_without);
+  index.total_bound_standard_error = jackknife_error(bound_without);
+  if (!std::isfinite(index.total_bound) || !std::isfinite(index.total_bound_standard_error)) return std::nullopt;
+  return index;
 }
 
 }  // namespace earthtop::study

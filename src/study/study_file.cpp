@@ -149,7 +149,8 @@ class Decoder {
     if (drawn_ && !design.has("points")) design.missing("points", "is missing; a drawn design needs their number");
     if (!drawn_ && design.has("points")) design.refuse_key("points", fmt::format("belongs to a drawn design, not to {}", kind));
     if (!drawn_ && design.has("seed")) design.refuse_key("seed", fmt::format("belongs to a drawn design, not to {}", kind));
-    if (d.indices && d.kind != DesignKind::sobol) design.refuse_key("indices", "belongs to the sobol design");
+    if (d.indices && d.kind != DesignKind::sobol && d.kind != DesignKind::random)
+      design.refuse_key("indices", "belongs to the designs sobol and random");
     d.points = whole(design, "points").value_or(0);
     if (d.kind == DesignKind::sobol && d.points > kMostSobolPoints)
       design.refuse("points",

@@ -3,6 +3,7 @@
 # Studies as seen from a shell: exit statuses, resumption after kills, shards, processes, who holds a store.
 # usage: study_test.sh PATH_OF_EARTHTOP
 set -u
+slurm=$(realpath "$(dirname "$0")/../../tools/slurm")
 # shellcheck source=tests/cli/expect.sh
 . "$(dirname "$0")/expect.sh"
 
@@ -79,6 +80,39 @@ expect 0 study show out/studies/small/study.sqlite --json
 cmp -s out.txt out/studies/small/study.json || fault "show --json is not study.json"
 expect 0 study export out/studies/small
 cmp -s out.txt out/studies/small/study.csv || fault "export is not study.csv"
+
+# Single points of a store.
+expect 0 study show out/studies/small --worst drift.axis_bound_rad
+on_stdout 'Worst points by drift.axis_bound_rad, largest bound first'
+expect 0 study show out/studies/small --where 'latitude_deg>=40' --where 'spin_rad_s=200' --json
+on_stdout '"matching": 2'
+for condition in latitude_deg 'latitude>3' 'latitude_deg>north' 'status=lost' 'drift.verdict<3'; do
+  expect 2 study show out/studies/small --where "$condition"
+  nothing_on_stdout
+  on_stderr "error: --where $condition: "
+done
+expect 2 study show out/studies/small --worst tilt_deg
+expect 2 study show out/studies/small --worst ''
+
+# The estimate is that of the threads and of the shard, and what Slurm's jobs are given.
+expect 0 study many.json --dry-run --jobs 1 --json
+whole=$(sed -nE 's/.*"core_seconds": ([0-9.e+-]+).*/\1/p' out.txt)
+expect 0 study many.json --dry-run --jobs 1 --shard 1/4 --json
+on_stdout '"shard_points": 400'
+mkdir fake
+cat >fake/sbatch <<'END'
+#!/bin/sh
+echo "$@" >>jobs.txt
+echo 77
+END
+chmod +x fake/sbatch
+PATH=$PWD/fake:$PATH EARTHTOP=$tool "$slurm/study-submit.sh" many.json dir 4 --partition=all >out.txt 2>err.txt ||
+  fault "study-submit.sh failed"
+on_stderr 'a shard is told to take [0-9.e-]* s with 1 threads; time limit: 6 minutes'
+grep -q -- '--parsable --time=6 --cpus-per-task=1 --array=1-4 --partition=all .*/study-array.sbatch many.json dir' jobs.txt ||
+  fault "the array is not submitted with the time told"
+grep -q -- '--dependency=afterok:77 --kill-on-invalid-dep=yes .*/study-merge.sbatch dir' jobs.txt || fault "no merge is submitted"
+LC_ALL=C awk -v s="$whole" 'BEGIN { exit !(s > 0) }' || fault "the study is told to take no time"
 
 # A failed point stops nothing; another study's store is left alone.
 expect 1 study failing.json --quiet

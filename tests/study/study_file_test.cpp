@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{AXES R"(, "design": {"kind": "random"})", "/design/points", "is missing"},
         Fault{AXES R"(, "design": {"kind": "grids"})", "/design/kind", "did you mean \"grid\""},
         Fault{AXES R"(, "design": {"points": 3})", "/design/points", "drawn design"},
-        Fault{AXES R"(, "design": {"kind": "random", "points": 3, "indices": true})", "/design/indices", "sobol"},
+        Fault{AXES R"(, "design": {"kind": "latin_hypercube", "points": 3, "indices": true})", "/design/indices", "sobol"},
         Fault{AXES R"(, "design": {"kind": "sobol", "points": 1073741824})", "/design/points",
               "a Sobol sequence has 1073741823 points"},
         Fault{AXES R"(, "collect": [])", "/collect", "array of paths"},
@@ -250,7 +250,7 @@ TEST(StudyLimits, CountBeforeAnythingIsBuilt) {
       std::string::npos);
   EXPECT_NE(refusal(kAxis + R"(, "limits": {"points": 1})").find("2 points"), std::string::npos);
   EXPECT_NE(
-      refusal(kAxis + R"(, "set": {"/motion/duration_s": 60000}, "limits": {"core_hours": 1e-4})").find("hours on one core"),
+      refusal(kAxis + R"(, "set": {"/motion/duration_s": 600}, "limits": {"core_hours": 1e-6})").find("hours on one core"),
       std::string::npos);
   EXPECT_NE(refusal(kAxis + R"(, "limits": {"disk_gb": 1e-9})").find("GB"), std::string::npos);
   EXPECT_EQ(refusal(kAxis), "");

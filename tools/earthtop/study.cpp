@@ -14,7 +14,10 @@
 
 #include "command_line.hpp"
 #include "earthtop/results/results.hpp"
+#include "earthtop/study/indices_note.hpp"
 #include "earthtop/study/run_study.hpp"
+#include "earthtop/study/selection.hpp"
+#include "earthtop/study/timing.hpp"
 #include "interrupt.hpp"
 #include "json_object.hpp"
 #include "output.hpp"
@@ -39,6 +42,7 @@ struct StudyArguments {
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // for merge
   std::string store;                // for show and export
+  PointSelection points;            // for show
 };
 
 StudyShard parse_shard(const std::string& text) {
@@ -59,25 +63,44 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   const StudyEstimate expected = estimate(study);
   const StudySample sample = sample_points(study);
   if (sample.common && !arguments.keep_going) throw *sample.common;
-  const double jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
+  const unsigned jobs = arguments.jobs > 0 ? arguments.jobs : std::max(1U, std::thread::hardware_concurrency());
   const double memory = expected.memory_bytes + jobs * expected.memory_bytes_a_job;
-  if (arguments.json)
-    print_json(JsonObject()
-                   .put("name", study.name)
-                   .put("points", expected.points)
-                   .put("core_seconds", expected.core_seconds)
-                   .put("disk_bytes", expected.disk_bytes)
-                   .put("memory_bytes", memory)
-                   .put("points_looked_at", sample.looked_at)
-                   .put("points_refused", sample.refused)
-                   .put("study_sha256", study_sha256(study)));
-  else
-    print(fmt::format("{}: {} points, {} on one core, {} on disk, {} of memory\n", study.name, expected.points,
-                      about_seconds(expected.core_seconds), bytes_text(expected.disk_bytes), bytes_text(memory)));
-  if (!arguments.json && sample.refused > 0)
+  const StudyShard shard = parse_shard(arguments.shard);
+  const StudyTiming timing = time_study(study, jobs, shard);
+  const std::string note = indices_note(study);
+  if (arguments.json) {
+    JsonObject json;
+    json.put("name", study.name)
+        .put("points", expected.points)
+        .put("core_seconds", timing.core_seconds)
+        .put("disk_bytes", expected.disk_bytes)
+        .put("memory_bytes", memory)
+        .put("points_looked_at", sample.looked_at)
+        .put("points_refused", sample.refused)
+        .put("study_sha256", study_sha256(study))
+        .put("jobs", std::uint64_t{jobs})
+        .put("shard_points", timing.shard_points)
+        .put("seconds", timing.seconds)
+        .put("points_timed", timing.points_timed)
+        .put("seconds_timed", timing.spent_seconds)
+        .put("time_basis", timing_basis(timing));
+    if (!note.empty()) json.put("indices_note", note);
+    print_json(json);
+    return kDone;
+  }
+  const std::size_t width = output_screen().width;
+  print(fmt::format("{}: {} points, {} on one core, {} on disk, {} of memory\n", study.name, expected.points,
+                    about_seconds(timing.core_seconds), bytes_text(expected.disk_bytes), bytes_text(memory)));
+  print(wrapped(fmt::format("{} with {} {}{}. {}", about_seconds(timing.seconds), jobs, jobs == 1 ? "thread" : "threads",
+                            shard.is_whole() ? "" : fmt::format(" for the {} points of this shard", timing.shard_points),
+                            timing_basis(timing)),
+                width, 2) +
+        '\n');
+  if (!note.empty()) print(wrapped(note, width, 2) + '\n');
+  if (sample.refused > 0)
     print(wrapped(fmt::format("{} of {} points examined are refused, the first one because of {}", sample.refused,
                               sample.looked_at, sample.first_refusal),
-                  output_screen().width, 2) +
+                  width, 2) +
           '\n');
   return kDone;
 }
@@ -213,6 +236,12 @@ int merge_verb(const StudyArguments& arguments) {
 
 int show_verb(const StudyArguments& arguments) {
   const fs::path store = store_at(arguments.store);
+  if (!arguments.points.where.empty() || arguments.points.worst) {
+    const std::string text = selected_points_json(store, arguments.points);
+    const int status = check_store(store);
+    print(arguments.json ? text : selected_points_text(text));
+    return status;
+  }
   const int status = check_store(store);
   const std::string text = study_json(store);
   print(arguments.json ? text : study_text(text, output_screen().width));
@@ -246,7 +275,7 @@ Verb describe_study() {
             "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
   study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
-  study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; compute nothing");
+  study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; store nothing");
   add_output_flags(study);
 
   Verb merge("merge", "put the stores of shards together", [arguments] { return merge_verb(*arguments); });
@@ -264,10 +293,20 @@ Verb describe_study() {
   Verb show("show", "print what a store holds: statistics, fits, indices", [arguments] { return show_verb(*arguments); });
   show.describe("Prints what the study itself prints at its end, also while it is running or after it was interrupted.");
   show.example("earthtop study show out/studies/latitudes", "prints statistics, fits and indices");
+  show.example("earthtop study show out/studies/latitudes --worst drift.axis_bound_rad",
+               "prints the points with the largest bounds");
+  show.example("earthtop study show out/studies/latitudes --where 'latitude_deg>=60'", "prints the points near the pole");
   show.ends_with(kNegative, "the store is damaged: a point does not match its checksum");
-  show.ends_with(kRefused, "the command line was refused, or there is no such store");
+  show.ends_with(kRefused, "the command line or a condition was refused, or there is no such store");
   show.ends_with(kWriteFailed, "reading the store broke off, or writing to standard output failed");
   show.add("STORE", &a.store, "a store, or the directory that holds it").required();
+  show.add("--worst", &a.points.worst,
+           "print instead the ten points with the largest absolute values of a quantity, of an error bound the largest")
+      .called("QUANTITY");
+  show.add("--where", &a.points.where,
+           "print instead the points where a column (an axis, a quantity, status or point) compares so with a value: <, >, <=, "
+           ">=, = or !=; once for each of several conditions")
+      .called("CONDITION");
   show.add("--json", &a.json, "print it as one JSON document");
 
   Verb table("export", "print the points of a store as CSV", [arguments] { return export_verb(*arguments); });

@@ -127,19 +127,51 @@ std::string fits_text(const Json& document) {
   return text.empty() ? "" : "\nFits (standard errors from the scatter)\n" + text;
 }
 
-std::string indices_text(const Json& document) {
-  if (!document.contains("indices")) return "";
+/// A sentence of the document, as lines of its own.
+std::string told(std::string_view begin, const Json& sentence, std::size_t width) {
+  return wrapped(fmt::format("  {}{}", begin, cell(sentence)), width, 4) + '\n';
+}
+
+std::string value_with_error(const Json& value, const Json& error, int digits) {
+  return fmt::format("{:.{}f} +- {:.{}f}", value.get<double>(), digits, error.get<double>(), digits);
+}
+
+std::string indices_text(const Json& document, std::size_t width) {
   std::string text;
-  for (const auto& [quantity, axes] : document.at("indices").items()) {
+  if (document.contains("indices_note")) text += '\n' + told("", document.at("indices_note"), width);
+  if (!document.contains("indices_basis")) return text;
+  for (const auto& [quantity, basis] : document.at("indices_basis").items()) {
+    if (!document.at("indices").contains(quantity)) {
+      if (!document.contains("indices_note"))
+        text += '\n' + told(fmt::format("No Sobol indices of {}: ", quantity), basis.at("no_indices"), width);
+      continue;
+    }
     std::vector<Row> rows = {{"input", "first order", "total order"}};
-    for (const auto& [axis, index] : axes.items())
-      rows.push_back({axis,
-                      fmt::format("{:.4f} +- {:.4f}", index.at("first_order").get<double>(),
-                                  index.at("first_order_standard_error").get<double>()),
-                      fmt::format("{:.4f} +- {:.4f}", index.at("total_order").get<double>(),
-                                  index.at("total_order_standard_error").get<double>())});
-    text += fmt::format("\nSobol indices of {}\n", quantity) + table(rows);
+    for (const auto& [axis, index] : document.at("indices").at(quantity).items())
+      rows.push_back({axis, value_with_error(index.at("first_order"), index.at("first_order_standard_error"), 4),
+                      value_with_error(index.at("total_order"), index.at("total_order_standard_error"), 4)});
+    text += fmt::format("\nSobol indices of {}, {}\n", quantity, cell(basis.at("basis"))) + table(rows);
+    if (basis.contains("warning")) text += told("Warning: ", basis.at("warning"), width);
+    text += told("", basis.at("sentence"), width);
   }
+  return text;
+}
+
+std::string derivatives_text(const Json& document, std::size_t width) {
+  std::string text;
+  if (!document.contains("derivative_indices")) return text;
+  for (const auto& [quantity, axes] : document.at("derivative_indices").items()) {
+    std::vector<Row> rows = {{"input", "points", "mean of squared derivative", "total order at most"}};
+    for (const auto& [axis, index] : axes.items())
+      rows.push_back({axis, cell(index.at("points")),
+                      fmt::format("{:.4e} +- {:.1e}", index.at("mean_square").get<double>(),
+                                  index.at("mean_square_standard_error").get<double>()),
+                      value_with_error(index.at("total_order_bound"), index.at("total_order_bound_standard_error"), 4)});
+    text += fmt::format("\nDerivative-based indices of {}\n", quantity) + table(rows);
+  }
+  const Json& notes = document.at("derivative_notes");
+  if (!notes.empty() && text.empty()) text += '\n';
+  for (const Json& note : notes) text += told("", note, width);
   return text;
 }
 
@@ -181,7 +213,27 @@ std::string study_text(std::string_view json, std::size_t width) {
                       cell(document.at("points_planned")), cell(document.at("points_failed")));
   const std::string points = points_text(document);
   return text + points + statistics_text(document) + (points.empty() ? marginals_text(document) : "") + fits_text(document) +
-         indices_text(document) + figures_text(document, width) + failures_text(document, width);
+         indices_text(document, width) + derivatives_text(document, width) + figures_text(document, width) +
+         failures_text(document, width);
+}
+
+std::string selected_points_text(std::string_view json) {
+  const Json document = Json::parse(json);
+  std::vector<Row> rows = {{}};
+  for (const Json& column : document.at("columns")) rows[0].push_back(column.get<std::string>());
+  for (const Json& point : document.at("points")) {
+    Row row;
+    for (const std::string& column : rows[0]) row.push_back(cell(point.at(column)));
+    rows.push_back(std::move(row));
+  }
+  const auto matching = document.at("matching").get<std::uint64_t>(), listed = document.at("listed").get<std::uint64_t>();
+  if (document.contains("worst"))
+    return fmt::format("Worst points by {}, {} first\n", cell(document.at("worst")), cell(document.at("worst_means"))) +
+           table(rows);
+  std::string text = fmt::format("Points that meet the conditions: {}\n", matching);
+  if (listed > 0) text += table(rows);
+  if (listed < matching) text += fmt::format("  and {} more\n", matching - listed);
+  return text;
 }
 
 StudyCounts study_counts(std::string_view json) {

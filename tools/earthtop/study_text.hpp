@@ -12,7 +12,10 @@ namespace earthtop::tool {
 /// @param width  columns of a line of prose
 std::string study_text(std::string_view document, std::size_t width);
 
-/// Numbers of points in such a document: planned, computed, and failed among the computed ones.
+/// Text for a document of `selected_points_json`.
+std::string selected_points_text(std::string_view document);
+
+/// Numbers of points in a document of `study_json`: planned, computed, and failed among the computed ones.
 struct StudyCounts {
   std::uint64_t planned, computed, failed;
 };
