@@ -112,6 +112,7 @@ add_library(earthtop-workbench
   study/fields.cpp
   study/figure.cpp
   study/gathering.cpp
+  study/growth.cpp
   study/identity.cpp
   study/json_text.cpp
   study/launcher.cpp

@@ -34,7 +34,7 @@ struct StudyArguments {
   std::string study;  // a file, or "-"
   std::optional<std::string> out;
   unsigned jobs = 0;
-  std::string shard;
+  std::string shard, reuse;
   bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false;
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // for merge
@@ -128,6 +128,17 @@ void warn_of_missing_checksums(const fs::path& store, bool has_checksums) {
                         printable(store.string())));
 }
 
+/// What an older store gave to a study, and why it gave no more.
+std::string growth_text(const StudyGrowth& growth) {
+  std::string text =
+      fmt::format("reused {} of {} points from {}", growth.reused, growth.points, printable(growth.from.string()));
+  if (!growth.why.empty()) text += ": " + growth.why;
+  if (growth.left_out > 0)
+    text += fmt::format("; {} of its {} points are not in this design, and {}", growth.left_out, growth.held,
+                        growth.replaced ? "have been dropped" : "stay there");
+  return text;
+}
+
 int study_verb(const StudyArguments& arguments) {
   StudyProcesses processes;
   if (!processes.is_first()) {
@@ -146,6 +157,7 @@ int study_verb(const StudyArguments& arguments) {
   options.keep_going = arguments.keep_going;
   options.retry_failed = arguments.retry_failed;
   options.repair = arguments.repair;
+  options.reuse = arguments.reuse;
   options.processes = &processes;
   options.watch = stop_flag();
   if (options.shard.is_whole()) check_study_results(options.dir, study, options.force);
@@ -162,7 +174,19 @@ int study_verb(const StudyArguments& arguments) {
       told = true;
       line.show(progress_text(progress));
     };
-    report = run_study(study, options);
+    options.on_growth = [&](const StudyGrowth& growth) {
+      const bool says_nothing = growth.reused == 0 && growth.left_out == 0 && growth.why.empty();  // all was there already
+      if (arguments.quiet || arguments.json || says_nothing) return;
+      line.clear();
+      message(growth_text(growth));
+      told = told || growth.reused > 0;
+    };
+    try {
+      report = run_study(study, options);
+    } catch (const Interrupted&) {  // while the points of an older store were looked for
+      report.interrupted = true;
+      report.progress.wanted = point_count(study).value_or(0);
+    }
   }
   if (report.replaced && !arguments.quiet && !arguments.json)
     message(fmt::format("{} was another study's, no point of which had been completed; it has been replaced",
@@ -241,6 +265,8 @@ Verb describe_study() {
   study.add("--out", &a.out, "directory for the store and the results; default: out/studies/<name>").called("DIR");
   study.add("--jobs", &a.jobs, "number of threads; default: one per core").called("N").within(1, 4096);
   study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
+  study.add("--reuse", &a.reuse, "copy the points that an older store, or the directory that holds it, has of this design")
+      .called("OLD");
   study.add("--force", &a.force, "discard the store of another study, and overwrite results that are not this study's");
   study.add("--keep-going", &a.keep_going,
             "compute the study even if all points examined beforehand are refused for the same reason");
