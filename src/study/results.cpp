@@ -98,8 +98,7 @@ std::vector<std::vector<double>> quantiles_of(Store& store, const std::vector<Mo
   searches.reserve(moments.size());
   for (const Moments& m : moments) {
     std::vector<std::uint64_t> ranks;
-    for (const double share : {0.05, 0.5, 0.95})
-      ranks.push_back(m.count == 0 ? 0 : static_cast<std::uint64_t>(std::llround(share * static_cast<double>(m.count - 1))));
+    for (const double share : kShares) ranks.push_back(rank_of(share, m.count));
     searches.emplace_back(ranks);
   }
   for (int pass = 0; pass < RankSearch::kPasses; ++pass) {
