@@ -107,6 +107,7 @@ add_library(earthtop-workbench
   report/thinning.cpp
   study/chunk.cpp
   study/collect.cpp
+  study/collectable.cpp
   study/columns.cpp
   study/design.cpp
   study/fields.cpp
@@ -119,6 +120,7 @@ add_library(earthtop-workbench
   study/message.cpp
   study/rank_search.cpp
   study/results.cpp
+  study/results_fields.cpp
   study/run_study.cpp
   study/sqlite.cpp
   study/statistics.cpp

@@ -89,7 +89,7 @@ void Gathering::include(const PointResult& point) {
   } else {
     include_values(point);
   }
-  if (points_.size() <= kMaxListedPoints) list(point);
+  if (points_.size() <= kMaxListedPoints) points_.push_back(point_json(study_, point));
 }
 
 Json Gathering::points() const { return points_.size() <= kMaxListedPoints ? points_ : Json(); }
@@ -188,12 +188,12 @@ void Gathering::include_values(const PointResult& point) {
   }
 }
 
-void Gathering::list(const PointResult& point) {
+Json point_json(const Study& study, const PointResult& point) {
   Json row = {{"point", point.number}};
-  for (std::size_t a = 0; a < study_.axes.size(); ++a) row[study_.axes[a].name] = cell_json(point.axis_values[a]);
-  for (std::size_t q = 0; q < study_.quantities.size(); ++q) row[study_.quantities[q].name] = cell_json(point.values[q]);
+  for (std::size_t a = 0; a < study.axes.size(); ++a) row[study.axes[a].name] = cell_json(point.axis_values[a]);
+  for (std::size_t q = 0; q < study.quantities.size(); ++q) row[study.quantities[q].name] = cell_json(point.values[q]);
   row["status"] = point.status;
-  points_.push_back(std::move(row));
+  return row;
 }
 
 }  // namespace earthtop::study

@@ -40,6 +40,9 @@ class AxisLevels {
   std::map<std::string, double> order_;
 };
 
+/// A point as a document lists it.
+Json point_json(const Study& study, const PointResult& point);
+
 class Gathering {
  public:
   explicit Gathering(const Study& study);
@@ -61,7 +64,6 @@ class Gathering {
   };
   void include_in(Level& level, double number);
   void include_values(const PointResult& point);
-  void list(const PointResult& point);
 
   const Study& study_;
   std::vector<Moments> moments_;

@@ -324,6 +324,27 @@ std::string study_json(const std::filesystem::path& file, const Watch& watch) {
       .document;
 }
 
+void study_whole_json(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
+  using namespace study;
+  Store store = Store::open(file, sqlite::Connection::Mode::read);
+  store.check();  // so that the quantiles, too, pass over damaged points
+  Json document = document_of(store, {});
+  document["points"] = Json::array();
+  const std::string text = json_with_escapes(written_replacing(document, 1)) + '\n';
+  constexpr std::string_view kNoPoints = "\n \"points\": []";  // at this indentation only the document's own
+  const std::size_t begin = text.find(kNoPoints) + kNoPoints.size() - 1;
+  sink(std::string_view(text).substr(0, begin));
+  bool is_first = true;
+  store.for_each([&](const PointResult& point) {
+    Json row = point_json(store.study(), point);
+    if (point.failed()) row["reason"] = point.reason;
+    sink((is_first ? "\n  " : ",\n  ") + json_with_escapes(written_replacing(row)));
+    is_first = false;
+  });
+  if (!is_first) sink("\n ");
+  sink(std::string_view(text).substr(begin));
+}
+
 void study_csv(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   study::write_table(store, sink, {});

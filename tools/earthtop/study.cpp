@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
@@ -35,7 +36,7 @@ struct StudyArguments {
   std::optional<std::string> out;
   unsigned jobs = 0;
   std::string shard, reuse;
-  bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false;
+  bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false, list_quantities = false;
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // for merge
   std::string store;                // for show and export
@@ -79,6 +80,28 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
                               sample.looked_at, sample.first_refusal),
                   output_screen().width, 2) +
           '\n');
+  return kDone;
+}
+
+int list_quantities(const StudyArguments& arguments) {
+  const std::vector<CollectablePath> all =
+      arguments.study.empty() ? collectable_paths() : collectable_paths(read_scenario_source(arguments.study));
+  if (arguments.json) {
+    std::vector<JsonObject> objects;
+    for (const CollectablePath& each : all) {
+      JsonObject object;
+      object.put("path", each.path).put("unit", each.unit).put("meaning", each.meaning);
+      objects.push_back(std::move(object));
+    }
+    print_json(JsonObject().put("quantities", objects));
+    return kDone;
+  }
+  std::size_t path = 0, unit = 0;
+  for (const CollectablePath& each : all) path = std::max(path, each.path.size()), unit = std::max(unit, each.unit.size());
+  std::string text;
+  for (const CollectablePath& each : all)
+    text += fmt::format("{:<{}}  {:<{}}  {}\n", each.path, path, each.unit, unit, each.meaning);
+  print(text);
   return kDone;
 }
 
@@ -146,6 +169,7 @@ int study_verb(const StudyArguments& arguments) {
     processes.serve(stop_flag());
     return kDone;
   }
+  if (arguments.list_quantities) return list_quantities(arguments);
   if (arguments.study.empty()) throw ScenarioError("", "a study file is needed, or one of merge, show, export");
   const Study study = parse_study(read_scenario_source(arguments.study));
   if (arguments.dry_run) return dry_run(study, arguments);
@@ -246,7 +270,8 @@ int show_verb(const StudyArguments& arguments) {
 int export_verb(const StudyArguments& arguments) {
   const fs::path store = store_at(arguments.store);
   const int status = check_store(store);
-  study_csv(store, [](std::string_view piece) { print(piece); });
+  const auto pass_on = [](std::string_view piece) { print(piece); };
+  arguments.json ? study_whole_json(store, pass_on) : study_csv(store, pass_on);
   return status;
 }
 
@@ -272,6 +297,8 @@ Verb describe_study() {
             "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
   study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
+  study.add("--list-quantities", &a.list_quantities,
+            "list what a study can collect, with unit and meaning; of STUDY, or a scenario, only what its runs have");
   study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; compute nothing");
   add_output_flags(study);
 
@@ -296,13 +323,17 @@ Verb describe_study() {
   show.add("STORE", &a.store, "a store, or the directory that holds it").required();
   show.add("--json", &a.json, "print it as one JSON document");
 
-  Verb table("export", "print the points of a store as CSV", [arguments] { return export_verb(*arguments); });
-  table.describe("Prints a line for every point that has been computed, as in study.csv.");
+  Verb table("export", "print the points of a store as CSV or JSON", [arguments] { return export_verb(*arguments); });
+  table.describe(
+      "Prints a line for every point that has been computed, as in study.csv; with --json the results with every point as one "
+      "document, which earthtop schema --study-results describes.");
   table.example("earthtop study export out/studies/latitudes > points.csv", "writes the points to a file");
   table.ends_with(kNegative, "the store is damaged: a point does not match its checksum");
   table.ends_with(kRefused, "the command line was refused, or there is no such store");
   table.ends_with(kWriteFailed, "reading the store broke off, or writing to standard output failed");
+  table.example("earthtop study export out/studies/latitudes --json > points.json", "writes all results as JSON");
   table.add("STORE", &a.store, "a store, or the directory that holds it").required();
+  table.add("--json", &a.json, "print the results with all points as one JSON document");
 
   study.describe(
       "Runs a scenario at many points, those of a grid or a sample, and keeps every point in a store, study.sqlite, as soon as "

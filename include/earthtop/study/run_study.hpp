@@ -122,6 +122,14 @@ void write_study_results(const std::filesystem::path& store, const Watch& watch 
 /// @throws ScenarioError if one of the files is there and is not what was written for this study (unless `force`); ReadError
 void check_study_results(const std::filesystem::path& dir, const Study& study, bool force);
 
+/// Passes the document of `study_json` with every point, however many, and without checksums to `sink`, piece by piece. A point
+/// that failed has its `reason`, too.
+void study_whole_json(const std::filesystem::path& store, const std::function<void(std::string_view)>& sink);
+
+/// JSON Schema (draft 7) of the document of a study's results, and every key of it as a Markdown table.
+std::string study_results_schema();
+std::string study_results_reference_markdown();
+
 /// Passes the table of the points (study.csv) to `sink`, piece by piece.
 void study_csv(const std::filesystem::path& store, const std::function<void(std::string_view)>& sink);
 
