@@ -69,7 +69,8 @@ constexpr std::array kPhrases = {
     Phrase("drift.reliable.attitude_rad", "drift of the attitude in that row"),
     Phrase("drift.secular.azimuth_rate_rad_s", "trend of the azimuth's drift"),
     Phrase("drift.secular.azimuth_rate_bound_95_rad_s", "half of its 95 % interval"),
-    Phrase("drift.secular.mean_precession_rate_change_rad_s", "change of the mean precession rate, counterclockwise from above"),
+    Phrase("drift.secular.mean_precession_rate_change_rad_s",
+           "change of the mean precession rate, counterclockwise from above"),
     Phrase("drift.secular.turns_seen", "turns of the axis about the vertical that the trend comes from"),
     Phrase("drift.secular.mean_of_window", "whether the trend is a mean over the whole run"),
     Phrase("drift.secular.window_s.0", "beginning of the time that the trend comes from"),
@@ -268,7 +269,8 @@ bool is_of_scenario_text(std::string_view path) { return path.starts_with("scena
 std::string unit_of_path(std::string_view path) {
   if (is_of_scenario_text(path))
     if (const input::Field* field = field_at(path.substr(path.find('.') + 1))) return std::string(field->unit);
-  while (!path.empty() && (std::isdigit(static_cast<unsigned char>(path.back())) != 0 || path.back() == '.')) path.remove_suffix(1);
+  while (!path.empty() && (std::isdigit(static_cast<unsigned char>(path.back())) != 0 || path.back() == '.'))
+    path.remove_suffix(1);
   return std::string(unit_of_name(path));
 }
 
@@ -281,7 +283,8 @@ std::string meaning_of_path(std::string_view path) {
   constexpr std::string_view kBound = "_bound";
   if (const std::size_t at = path.rfind(kBound); at != path.npos) {
     const std::string base = std::string(path.substr(0, at)) + std::string(path.substr(at + kBound.size()));
-    if (const std::string_view phrase = phrase_of(base); !phrase.empty()) return "bound on the error of: " + std::string(phrase);
+    if (const std::string_view phrase = phrase_of(base); !phrase.empty())
+      return "bound on the error of: " + std::string(phrase);
   }
   return "";
 }

@@ -84,7 +84,8 @@ std::vector<CollectablePath> collectable_paths(const std::optional<ScenarioSourc
   for (std::string& path : summary_paths()) {
     const bool of_scenario = path.starts_with(kScenario);
     const auto lacks = [&](const Part& part) { return path.starts_with(part.prefix) && !part.has(scene->scenario()); };
-    if (scene && (of_scenario ? !has_at(written, path.substr(kScenario.size())) : std::any_of(std::begin(kParts), std::end(kParts), lacks)))
+    if (scene && (of_scenario ? !has_at(written, path.substr(kScenario.size()))
+                              : std::any_of(std::begin(kParts), std::end(kParts), lacks)))
       continue;
     std::string unit = unit_of_path(path), meaning = meaning_of_path(path);
     list.push_back({std::move(path), std::move(unit), std::move(meaning)});

@@ -138,7 +138,8 @@ Value axis_value(const StudyAxis& axis, const Setting& setting) {
 Value meant_value(const StudyAxis& axis, const Value& value) {
   const auto* number = std::get_if<double>(&value);
   if (!axis.range || !number) return value;
-  return meant_number(*number, rounding_of_step(axis.range->from.front(), axis.range->to.front(), axis.range->logarithmic, *number));
+  return meant_number(*number,
+                      rounding_of_step(axis.range->from.front(), axis.range->to.front(), axis.range->logarithmic, *number));
 }
 
 std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point) {

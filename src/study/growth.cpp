@@ -35,14 +35,14 @@ Keys keys_of(const Study& study) {
   const Json leaves = base.is_object() ? base.flatten() : Json::object();
   if (!leaves.empty())
     for (const auto& [pointer, value] : leaves.items())
-      if (pointer.find("/_") == std::string::npos && pointer.find("/~1~1") == std::string::npos &&
-          pointer != "/name" && pointer != "/title" && pointer != "/purpose")
+      if (pointer.find("/_") == std::string::npos && pointer.find("/~1~1") == std::string::npos && pointer != "/name" &&
+          pointer != "/title" && pointer != "/purpose")
         keys.emplace_back("/base" + pointer, written_replacing(value));
   for (const auto& [key, value] : Keys{{"/design/kind", std::string(to_string(study.design.kind))},
-               {"/design/points", fmt::format("{}", study.design.points)},
-               {"/design/seed", fmt::format("{}", study.design.seed)},
-               {"/design/indices", fmt::format("{}", study.design.indices)},
-               {"/rows", study.needed_rows_only ? "needed" : "all"}})
+                                       {"/design/points", fmt::format("{}", study.design.points)},
+                                       {"/design/seed", fmt::format("{}", study.design.seed)},
+                                       {"/design/indices", fmt::format("{}", study.design.indices)},
+                                       {"/rows", study.needed_rows_only ? "needed" : "all"}})
     keys.emplace_back(key, value);
   for (std::size_t a = 0; a < study.axes.size(); ++a) {
     const StudyAxis& axis = study.axes[a];
@@ -86,9 +86,7 @@ struct OldPoint {
   std::uint64_t number;
   bool fits;     // its run was completed, or would end in the same way
   bool is_kept;  // the new design has it
-  bool operator<(const OldPoint& other) const {
-    return half != other.half ? half < other.half : number < other.number;
-  }
+  bool operator<(const OldPoint& other) const { return half != other.half ? half < other.half : number < other.number; }
 };
 
 using OldPoints = std::vector<OldPoint>;
@@ -157,8 +155,7 @@ std::optional<Study> united(const Study& one, const Study& other) {
   for (const auto& level : other.axes[*unlike].levels)
     if (std::none_of(levels.begin(), levels.end(), [&](const auto& known) { return level_text(known) == level_text(level); }))
       levels.push_back(level);
-  if (both_ascend)
-    std::sort(levels.begin(), levels.end(), [&](const auto& a, const auto& b) { return number(a) < number(b); });
+  if (both_ascend) std::sort(levels.begin(), levels.end(), [&](const auto& a, const auto& b) { return number(a) < number(b); });
   Json values = Json::array();
   for (const auto& level : levels) {
     Json each = Json::array();
@@ -231,8 +228,9 @@ SharedPoints shared_points(Store& older, const Study& study, const StudyShard& s
   }
   for (const OldPoint& point : points) shared.growth.left_out += !point.is_kept;
   shared.growth.reused = shared.pairs.size();
-  shared.of_quantities = in_both > 0 && shared.pairs.empty() && same_build &&
-                         (!missing.empty() || (old.needed_rows_only == study.needed_rows_only && (!asks_alike || !looks_alike)));
+  shared.of_quantities =
+      in_both > 0 && shared.pairs.empty() && same_build &&
+      (!missing.empty() || (old.needed_rows_only == study.needed_rows_only && (!asks_alike || !looks_alike)));
 
   std::string& why = shared.growth.why;
   if (in_both == 0) {

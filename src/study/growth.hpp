@@ -23,7 +23,8 @@ std::optional<Study> united(const Study& one, const Study& other);
 /// The points of an older store that a design has, too.
 struct SharedPoints {
   StudyGrowth growth;
-  bool of_quantities = false;  ///< nothing can be copied because of the quantities collected, though the points are the design's
+  bool of_quantities =
+      false;  ///< nothing can be copied because of the quantities collected, though the points are the design's
   std::vector<std::pair<std::uint64_t, std::uint64_t>> pairs;  ///< number in the design, ascending, and in the store
   std::vector<std::size_t> columns;                            ///< for each quantity, its place in the store
 };

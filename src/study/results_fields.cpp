@@ -30,11 +30,13 @@ constexpr Field kFields[] = {
     {"/points_computed", number, "", kCount, "", "", "number of points in the store", kAlways},
     {"/points_failed", number, "", kCount, "", "", "number of those among them that failed", kAlways},
     {"/statuses", anything, "", kAny, "", "", "number of points by status", kAlways},
-    {"/failures", anything, "", kAny, "", "", "an array of the first points that failed, at most 20: point, status, reason", kAlways},
+    {"/failures", anything, "", kAny, "", "", "an array of the first points that failed, at most 20: point, status, reason",
+     kAlways},
     {"/axes", list, "", kAny, "", "", "what was varied", kAlways},
     {"/axes/*", object, "", kAny, "", "", "one axis"},
     {"/axes/*/name", text, "", kAny, "", "", "name of its column", kAlways},
-    {"/axes/*/pointers", anything, "", kAny, "", "", "the scenario's keys that were varied, an array of JSON pointers", kAlways},
+    {"/axes/*/pointers", anything, "", kAny, "", "", "the scenario's keys that were varied, an array of JSON pointers",
+     kAlways},
     {"/axes/*/range", object, "", kAny, "", "", "equal steps"},
     {"/axes/*/range/from", anything, "", kAny, "", "", "first value, one number for each pointer", kAlways},
     {"/axes/*/range/to", anything, "", kAny, "", "", "last value", kAlways},
@@ -49,19 +51,23 @@ constexpr Field kFields[] = {
     {"/quantities/*/name", text, "", kAny, "", "", "name of its column", kAlways},
     {"/quantities/*/path", text, "", kAny, "", "", "dotted path in summary.json", kAlways},
     {"/statistics", anything, "", kAny, "", "",
-     "for each quantity that has numbers: count, mean, standard_deviation, min, quantile_05, median, quantile_95, max", kAlways},
+     "for each quantity that has numbers: count, mean, standard_deviation, min, quantile_05, median, quantile_95, max",
+     kAlways},
     {"/marginals", anything, "", kAny, "", "",
-     "for each axis of at most 500 values: an array of objects with value, the axis's label, and for each quantity count, mean, "
+     "for each axis of at most 500 values: an array of objects with value, the axis's label, and for each quantity count, "
+     "mean, "
      "standard_deviation, quantile_05, median, quantile_95; the quantiles are null beyond two million numbers",
      kAlways},
     {"/fits", anything, "", kAny, "", "",
-     "an array of the fitted curves: kind, axis, quantity, law, points, a, b, their standard errors and the residual, null where "
+     "an array of the fitted curves: kind, axis, quantity, law, points, a, b, their standard errors and the residual, null "
+     "where "
      "there is none",
      kAlways},
     {"/indices", anything, "", kAny, "", "",
      "for each quantity and axis: first_order and total_order, Sobol indices, each with its _standard_error"},
     {"/points", anything, "", kAny, "", "",
-     "an array of the points: point, its number, each axis and quantity by name, null in an empty cell, and status; study.json has "
+     "an array of the points: point, its number, each axis and quantity by name, null in an empty cell, and status; study.json "
+     "has "
      "null where there are more than 1000, study export --json has all, and a reason for those that failed",
      kAlways},
     {"/figures", anything, "", kAny, "", "",
@@ -84,8 +90,9 @@ constexpr input::FieldTable kTable = {"study-results", "document of a study's re
 }  // namespace study
 
 std::string study_results_schema() {
-  return input::schema(study::results::kTable, "The results of a study: study.json, and what study show --json and study export "
-                                               "--json print.");
+  return input::schema(study::results::kTable,
+                       "The results of a study: study.json, and what study show --json and study export "
+                       "--json print.");
 }
 std::string study_results_reference_markdown() { return input::reference_markdown(study::results::kTable); }
 

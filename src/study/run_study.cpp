@@ -90,13 +90,14 @@ bool is_under_way(const fs::path& file, const Study& study) {
   const std::string where = key.empty() ? "" : fmt::format(" ({})", key);
   const std::string why = growth.why.empty() ? "" : "; " + growth.why;
   if (growth.reused == 0)
-    refuse_file(file,
-                fmt::format("holds the points of another study, or of a base that has changed since{}{}; all {} of them would be "
-                            "lost; choose another --out, or --force to discard them and start again",
-                            where, why, growth.held));
-  refuse_file(file, fmt::format("holds {} points of which this design lacks {}{}{}; these would be lost; choose another --out, with "
-                                "--reuse {} to copy the others, or --force to lose them",
-                                growth.held, growth.left_out, where, why, printable(file.string())));
+    refuse_file(
+        file, fmt::format("holds the points of another study, or of a base that has changed since{}{}; all {} of them would be "
+                          "lost; choose another --out, or --force to discard them and start again",
+                          where, why, growth.held));
+  refuse_file(file,
+              fmt::format("holds {} points of which this design lacks {}{}{}; these would be lost; choose another --out, with "
+                          "--reuse {} to copy the others, or --force to lose them",
+                          growth.held, growth.left_out, where, why, printable(file.string())));
 }
 
 /// Replaces a store by one of another design that has the points shared. It is put in place at once and complete: who is killed
@@ -136,9 +137,10 @@ Store open_or_create(const fs::path& file, const Study& study, const StudyRunOpt
       report.replaced = !may_hold_results(store);
       if (!report.replaced) {
         if (const StoreCheck check = store.check(); check.is_damaged())
-          refuse_file(file, fmt::format("holds the points of another study, and {}; choose another --out, or --force to discard "
-                                        "them and start again",
-                                        check.text()));
+          refuse_file(file,
+                      fmt::format("holds the points of another study, and {}; choose another --out, or --force to discard "
+                                  "them and start again",
+                                  check.text()));
         shared = shared_points(store, study, options.shard, build_text(), options.watch);
         StudyGrowth& growth = shared->growth;
         growth.from = file;
@@ -357,8 +359,10 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   if (!options.reuse.empty()) {
     from = store_at(options.reuse);
     std::error_code ignored;
-    if (fs::equivalent(from, report.store, ignored)) from.clear();  // a store of another design grows by itself
-    else Store::open(from, sqlite::Connection::Mode::read).check_intact();
+    if (fs::equivalent(from, report.store, ignored))
+      from.clear();  // a store of another design grows by itself
+    else
+      Store::open(from, sqlite::Connection::Mode::read).check_intact();
   }
   std::optional<StoreLock> lock;
   if (options.repair) {

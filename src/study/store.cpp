@@ -117,8 +117,7 @@ std::string facts_checksum(const Facts& facts) {
 
 std::string build_text() {
   const BuildInfo& build = build_info();
-  return build_of(
-      {{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}});
+  return build_of({{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}});
 }
 
 std::string StoreCheck::text() const {

@@ -279,7 +279,8 @@ class Decoder {
       return given.refuse(fmt::format("\"{}\" has more than {} characters", excerpt(quantity.name), kLongestColumn));
     // SQLite does not tell capitals apart in the names of columns.
     std::string column = quantity.name;
-    std::transform(column.begin(), column.end(), column.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    std::transform(column.begin(), column.end(), column.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
     if (!columns_.insert(column).second)
       return given.refuse(fmt::format("there is already a column \"{}\"; give another name", excerpt(quantity.name)));
     study_.quantities.push_back(std::move(quantity));

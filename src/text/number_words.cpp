@@ -97,7 +97,8 @@ double rounding_of_step(double from, double to, bool logarithmic, double value) 
   // Of from + x (to - from): one rounding each of x, the difference, the product and the sum; of from exp(x ln(to/from)): the
   // exponent's rounding errors grow with its size.
   constexpr double kRoundings = 4;
-  const double size = logarithmic ? std::abs(value) * (1 + std::abs(real::log(to / from))) : std::max(std::abs(from), std::abs(to));
+  const double size =
+      logarithmic ? std::abs(value) * (1 + std::abs(real::log(to / from))) : std::max(std::abs(from), std::abs(to));
   return kRoundings * std::numeric_limits<double>::epsilon() / 2 * size;
 }
 

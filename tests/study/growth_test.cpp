@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies whose design has changed: what an older store has of the new design is copied, and the results are those of a study that was
 // computed from the beginning, byte for byte.
+#include "study/growth.hpp"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "earthtop/error.hpp"
 #include "earthtop/study/run_study.hpp"
-#include "study/growth.hpp"
 #include "study/sqlite.hpp"
 #include "study/store.hpp"
 #include "support/json.hpp"
@@ -118,7 +119,8 @@ TEST_F(Growth, OneQuantityLessKeepsAllPointsAndOneMoreNone) {
 
 TEST_F(Growth, AQuantityOfAnotherNameOrAtAnotherPlaceIsKept) {
   expect_growth(latitudes(5) + "," + kTwo,
-                latitudes(9) + R"(, "collect": ["drift.azimuth_final_rad", {"name": "axis", "path": "drift.axis_final_rad"}])", 5, 9);
+                latitudes(9) + R"(, "collect": ["drift.azimuth_final_rad", {"name": "axis", "path": "drift.axis_final_rad"}])",
+                5, 9);
 }
 
 TEST_F(Growth, AQuantityThatIsGoneMayHaveAskedForOtherRows) {
@@ -139,7 +141,8 @@ TEST_F(Growth, InLanesAndSingle) {
 TEST_F(Growth, AChangedListLosesPointsOnlyByForce) {
   run(listed("[10, 20, 30]"), "list");
   const std::string said = refusal(listed("[20, 30, 40]"), "list");
-  for (const char* part : {"holds 6 points of which this design lacks 2", "/axes/0/values/0: 10 there, 20 here", "--reuse", "--force"})
+  for (const char* part :
+       {"holds 6 points of which this design lacks 2", "/axes/0/values/0: 10 there, 20 here", "--reuse", "--force"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   expect_growth(listed("[10, 20, 30]"), listed("[20, 30, 40]"), 4, 6, true);
   expect_growth(drawn("random", 20), drawn("random", 10), 10, 10, true);
@@ -183,7 +186,8 @@ TEST_F(Growth, PointsOfAnotherVersionAreNotReused) {
     study::Facts facts;
     study::sqlite::Statement all(connection, "SELECT key, value FROM study");
     while (all.step()) facts[all.text(0)] = all.text(1);
-    connection.execute(("UPDATE study SET value = '" + study::facts_checksum(facts) + "' WHERE key = 'facts_checksum'").c_str());
+    connection.execute(
+        ("UPDATE study SET value = '" + study::facts_checksum(facts) + "' WHERE key = 'facts_checksum'").c_str());
   }
   EXPECT_NE(refusal(latitudes(9), "old").find("another version of earthtop computed them (0.9.9"), std::string::npos);
   const StudyRunReport report = run(latitudes(9), "new", false, "old");
@@ -251,15 +255,16 @@ TEST_F(Growth, AMergerThatIsRefusedNamesTheKey) {
   run(latitudes(9), "tilted");
   const auto said = [&](const std::string& one, const std::string& other) {
     try {
-      merge_study_stores({study_store(directory_.path() / one), study_store(directory_.path() / other)}, directory_.path() / "m",
-                         false);
+      merge_study_stores({study_store(directory_.path() / one), study_store(directory_.path() / other)},
+                         directory_.path() / "m", false);
     } catch (const ScenarioError& error) {
       EXPECT_FALSE(fs::exists(directory_.path() / "m"));
       return std::string(error.what());
     }
     return std::string("merged");
   };
-  EXPECT_NE(said("five", "tilted").find("/set/release/tilt_deg: none there, 11 here"), std::string::npos) << said("five", "tilted");
+  EXPECT_NE(said("five", "tilted").find("/set/release/tilt_deg: none there, 11 here"), std::string::npos)
+      << said("five", "tilted");
   EXPECT_EQ(said("five", "quantities"), "merged");  // the points fit into the study of fewer quantities
 }
 

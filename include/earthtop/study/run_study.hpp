@@ -62,9 +62,9 @@ struct StudyRunReport {
   StudyProgress progress;
   std::uint64_t failed = 0;  ///< number of failed points in the store, from earlier calls too
   bool interrupted = false;
-  bool replaced = false;      ///< a store of another study in which no run had been completed has been replaced
-  std::string damage;         ///< of a store that has been repaired: what was wrong with it, in words; else empty
-  bool has_checksums = true;  ///< false: the store is from before points were stored with checksums
+  bool replaced = false;            ///< a store of another study in which no run had been completed has been replaced
+  std::string damage;               ///< of a store that has been repaired: what was wrong with it, in words; else empty
+  bool has_checksums = true;        ///< false: the store is from before points were stored with checksums
   std::vector<StudyGrowth> growth;  ///< what older stores gave; empty where there was none
   bool complete() const { return progress.before + progress.done >= progress.wanted; }
 };
