@@ -94,10 +94,11 @@ bool is_under_way(const fs::path& file, const Study& study) {
         file, fmt::format("holds the points of another study, or of a base that has changed since{}{}; all {} of them would be "
                           "lost; choose another --out, or --force to discard them and start again",
                           where, why, growth.held));
-  refuse_file(file,
-              fmt::format("holds {} points of which this design lacks {}{}{}; these would be lost; choose another --out, with "
-                          "--reuse {} to copy the others, or --force to lose them",
-                          growth.held, growth.left_out, where, why, printable(file.string())));
+  refuse_file(
+      file,
+      fmt::format("holds {} points of another study or another design; this one lacks {} of them{}{}, which would be lost; "
+                  "choose another --out, with --reuse {} to copy the others, or --force to lose them",
+                  growth.held, growth.left_out, where, why, printable(file.string())));
 }
 
 /// Replaces a store by one of another design that has the points shared. It is put in place at once and complete: who is killed

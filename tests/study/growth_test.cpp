@@ -141,8 +141,8 @@ TEST_F(Growth, InLanesAndSingle) {
 TEST_F(Growth, AChangedListLosesPointsOnlyByForce) {
   run(listed("[10, 20, 30]"), "list");
   const std::string said = refusal(listed("[20, 30, 40]"), "list");
-  for (const char* part :
-       {"holds 6 points of which this design lacks 2", "/axes/0/values/0: 10 there, 20 here", "--reuse", "--force"})
+  for (const char* part : {"holds 6 points of another study or another design; this one lacks 2 of them",
+                           "/axes/0/values/0: 10 there, 20 here", "--reuse", "--force"})
     EXPECT_NE(said.find(part), std::string::npos) << said;
   expect_growth(listed("[10, 20, 30]"), listed("[20, 30, 40]"), 4, 6, true);
   expect_growth(drawn("random", 20), drawn("random", 10), 10, 10, true);

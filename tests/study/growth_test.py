@@ -114,7 +114,7 @@ class Growing(Studies):
         before = self.contents("a")
         new = self.write("new", axes=[tilts([20, 30, 40, 50])])
         done = self.run_program("study", new, "--out", "a", status=2)
-        for words in ("holds 3 points of which this design lacks 1", "/axes/0/values/0: 10 there, 20 here", "would be lost",
+        for words in ("holds 3 points of another study or another design; this one lacks 1 of them", "/axes/0/values/0: 10 there, 20 here", "would be lost",
                       "--reuse a/study.sqlite", "--force"):
             self.assertIn(words, done.stderr)
         self.assertEqual(before, self.contents("a"))
