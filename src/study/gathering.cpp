@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "earthtop/elementary.hpp"
+#include "study/design.hpp"
 
 namespace earthtop::study {
 namespace {

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
 #include "study/design.hpp"
 #include "study/json_text.hpp"
 #include "text/json.hpp"

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "earthtop/error.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/run.hpp"
 #include "input/file.hpp"
 #include "results/file_set.hpp"
