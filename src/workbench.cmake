@@ -114,11 +114,13 @@ add_library(earthtop-workbench
   report/thinning.cpp
   study/chunk.cpp
   study/collect.cpp
+  study/collectable.cpp
   study/columns.cpp
   study/design.cpp
   study/fields.cpp
   study/figure.cpp
   study/gathering.cpp
+  study/growth.cpp
   study/identity.cpp
   study/influence.cpp
   study/json_text.cpp
@@ -126,6 +128,7 @@ add_library(earthtop-workbench
   study/message.cpp
   study/rank_search.cpp
   study/results.cpp
+  study/results_fields.cpp
   study/run_study.cpp
   study/selection.cpp
   study/sqlite.cpp

@@ -59,7 +59,7 @@ void add_single_points(study::Store& store, Json& data, const Watch& watch) {
     stop_if_asked(watch);
     Json coordinates = Json::array(), values = Json::array();
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
-      const Json x = json_of(point.axis_values[i]);
+      const Json x = json_of(study::meant_value(study.axes[i], point.axis_values[i]));
       Json& known = data["axes"][i]["values"];
       const auto at = std::find(known.begin(), known.end(), x);
       coordinates.push_back(at - known.begin());

@@ -11,6 +11,7 @@
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "results/figures.hpp"
+#include "results/meanings.hpp"
 
 namespace earthtop {
 namespace {
@@ -168,6 +169,26 @@ std::string no_member(const Json& object, const std::string& path, std::string_v
 }
 
 }  // namespace
+
+std::vector<std::string> summary_paths() {
+  std::vector<std::string> paths;
+  const auto walk = [&paths](const auto& self, const Json& at, const std::string& path) -> void {
+    if (at.is_structured() && !at.empty()) {
+      if (at.is_object())
+        for (const auto& [key, value] : at.items()) {
+          // No path leads to a name with a dot, and the version of the format is no result.
+          if (key.find_first_of(".$ ") == std::string::npos)
+            self(self, value, path.empty() ? key : fmt::format("{}.{}", path, key));
+        }
+      else
+        for (std::size_t i = 0; i < at.size(); ++i) self(self, at[i], fmt::format("{}.{}", path, i));
+    } else if (!path.empty()) {
+      paths.push_back(path);
+    }
+  };
+  walk(walk, every_member(), "");
+  return paths;
+}
 
 std::optional<std::string> summary_path_fault(std::string_view path) {
   const Json* at = &every_member();

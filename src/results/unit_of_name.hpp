@@ -12,8 +12,9 @@ namespace earthtop {
 inline std::string_view unit_of_name(std::string_view name) {
   using Ending = std::pair<std::string_view, std::string_view>;
   for (const auto& [ending, unit] :
-       {Ending("_rad_s", "rad/s"), Ending("_m_s2", "m/s^2"), Ending("_N_m", "N m"), Ending("_rad", "rad"),
-        Ending("_deg", "deg"), Ending("_s", "s"), Ending("_m", "m"), Ending("_hz", "Hz")})
+       {Ending("_rad_s", "rad/s"), Ending("_m_s2", "m/s^2"), Ending("_kg_m2_s", "kg m^2/s"), Ending("_kg_m2", "kg m^2"),
+        Ending("_m_s", "m/s"), Ending("_1_s", "1/s"), Ending("_N_m", "N m"), Ending("_rad", "rad"), Ending("_deg", "deg"),
+        Ending("_kg", "kg"), Ending("_J", "J"), Ending("_s", "s"), Ending("_m", "m"), Ending("_hz", "Hz")})
     if (name.ends_with(ending)) return unit;
   return "";
 }

@@ -41,6 +41,10 @@ class Collector {
 
   /// Whether a quantity comes from the motion between the rows.
   bool looks_between() const { return between_; }
+  /// Whether the scenarios of points, as they are run, are made by the same rules as another collector's.
+  bool asks_like(const Collector& other) const {
+    return ends_only_ == other.ends_only_ && sensitivities_ == other.sensitivities_;
+  }
   /// Fills in the point's status, reason and values.
   void collect(const BatchOutcome& outcome, PointResult& point) const;
 

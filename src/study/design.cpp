@@ -8,6 +8,7 @@
 #include "earthtop/elementary.hpp"
 #include "error/gsl_errors.hpp"
 #include "study/permutation.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace study {
@@ -132,6 +133,13 @@ Value axis_value(const StudyAxis& axis, const Setting& setting) {
   if (!axis.range) return read_value(axis.levels[setting.level].front());
   const double value = value_of(*axis.range, 0, setting.fraction);
   return std::isfinite(value) ? Value(value) : Value();
+}
+
+Value meant_value(const StudyAxis& axis, const Value& value) {
+  const auto* number = std::get_if<double>(&value);
+  if (!axis.range || !number) return value;
+  return meant_number(*number,
+                      rounding_of_step(axis.range->from.front(), axis.range->to.front(), axis.range->logarithmic, *number));
 }
 
 std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point) {

@@ -54,6 +54,9 @@ class Design {
 /// The value at the axis's first pointer, which the results list for the axis; nothing at the base.
 Value axis_value(const StudyAxis& axis, const Setting& setting);
 
+/// A value of an axis with the digits that were meant, for labels: a step of a range without its rounding error.
+Value meant_value(const StudyAxis& axis, const Value& value);
+
 /// The changes that a point's axes make to the study's base; the study's own changes come before them.
 std::vector<input::TreeChange> point_changes(const Study& study, const PlannedPoint& point);
 

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "results/unit_of_name.hpp"
+#include "study/design.hpp"
 #include "study/json_text.hpp"
 #include "text/json.hpp"
 
@@ -31,8 +32,8 @@ std::size_t numbers_of(const std::string& axis, const Json& points) {
   return numbers.size();
 }
 
-std::string shown(const Json& value) {
-  if (value.is_number()) return fmt::format("{:.6g}", value.get<double>());
+std::string shown(const StudyAxis& axis, const Json& value) {
+  if (value.is_number()) return plain_text(meant_value(axis, value.get<double>()));
   return value.is_string() ? value.get<std::string>() : written(value);
 }
 
@@ -76,7 +77,7 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
     std::vector<Line> lines;
     std::map<std::string, std::size_t> line_of;
     for (const Json& point : points) {
-      const std::string label = other ? fmt::format("{} {}", other->name, shown(point.at(other->name))) : "";
+      const std::string label = other ? fmt::format("{} {}", other->name, shown(*other, point.at(other->name))) : "";
       const auto [at, is_new] = line_of.try_emplace(label, lines.size());
       if (is_new)
         lines.push_back({label,

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "earthtop/elementary.hpp"
+#include "study/design.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -52,7 +53,7 @@ std::optional<double> number_of(const Value& value) {
 std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value) {
   if (std::holds_alternative<std::monostate>(value)) return std::nullopt;
   if (!binned_) {
-    const std::string text = plain_text(value);
+    const std::string text = plain_text(meant_value(axis_, value));
     const auto place = order_.try_emplace(text, static_cast<double>(order_.size())).first->second;
     const auto number = number_of(value);
     return std::pair(number ? *number : place, text);
@@ -89,25 +90,48 @@ void Gathering::include(const PointResult& point) {
   } else {
     include_values(point);
   }
-  if (points_.size() <= kMaxListedPoints) list(point);
+  if (points_.size() <= kMaxListedPoints) points_.push_back(point_json(study_, point));
 }
 
 Json Gathering::points() const { return points_.size() <= kMaxListedPoints ? points_ : Json(); }
 
-Json Gathering::marginals() const {
+std::array<std::optional<double>, 3> Gathering::Level::quantiles() {
+  std::array<std::optional<double>, 3> found;
+  if (numbers.size() != moments.count) return found;
+  std::sort(numbers.begin(), numbers.end());
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] = numbers[rank_of(kShares[i], numbers.size())];
+  return found;
+}
+
+void Gathering::include_in(Level& level, double number) {
+  level.moments.include(number);
+  if (kept_ > kMostKept) return;
+  if (++kept_ <= kMostKept) return level.numbers.push_back(number == 0 ? 0.0 : number);
+  for (auto& levels : along_)  // there are too many to keep them in memory
+    for (auto& [place, list] : levels)
+      for (Level& each : list) std::vector<double>().swap(each.numbers);
+}
+
+Json Gathering::marginals() {
   Json axes = Json::object();
   for (std::size_t a = 0; a < study_.axes.size(); ++a) {
     if (along_[a].size() > kMostLevels) continue;
-    Json& rows = axes[study_.axes[a].name] = Json::array();
-    for (const auto& [place, level] : along_[a]) {
+    Json rows = Json::array();
+    for (auto& [place, level] : along_[a]) {
       Json row = {{"value", place.second}};
       for (std::size_t q = 0; q < level.size(); ++q)
-        if (level[q].count > 0)
-          row[study_.quantities[q].name] = {{"count", level[q].count},
-                                            {"mean", level[q].mean},
-                                            {"standard_deviation", number_json(level[q].standard_deviation())}};
+        if (const Moments& m = level[q].moments; m.count > 0) {
+          const auto quantiles = level[q].quantiles();
+          row[study_.quantities[q].name] = {{"count", m.count},
+                                            {"mean", m.mean},
+                                            {"standard_deviation", number_json(m.standard_deviation())},
+                                            {"quantile_05", number_json(quantiles[0])},
+                                            {"median", number_json(quantiles[1])},
+                                            {"quantile_95", number_json(quantiles[2])}};
+        }
       rows.push_back(std::move(row));
     }
+    axes[study_.axes[a].name] = std::move(rows);
   }
   return axes;
 }
@@ -143,10 +167,10 @@ void Gathering::include_values(const PointResult& point) {
     if (along_[a].size() > kMostLevels) continue;
     const auto place = levels_[a].of(point.axis_values[a]);
     if (!place) continue;
-    std::vector<Moments>& level = along_[a][*place];
+    std::vector<Level>& level = along_[a][*place];
     level.resize(moments_.size());
     for (std::size_t q = 0; q < level.size(); ++q)
-      if (const auto y = number_of(point.values[q])) level[q].include(*y);
+      if (const auto y = number_of(point.values[q])) include_in(level[q], *y);
   }
   for (std::size_t f = 0; f < fits_.size(); ++f) {
     const auto x = number_of(point.axis_values[places_[f].first]), y = number_of(point.values[places_[f].second]);
@@ -165,12 +189,12 @@ void Gathering::include_values(const PointResult& point) {
   }
 }
 
-void Gathering::list(const PointResult& point) {
+Json point_json(const Study& study, const PointResult& point) {
   Json row = {{"point", point.number}};
-  for (std::size_t a = 0; a < study_.axes.size(); ++a) row[study_.axes[a].name] = cell_json(point.axis_values[a]);
-  for (std::size_t q = 0; q < study_.quantities.size(); ++q) row[study_.quantities[q].name] = cell_json(point.values[q]);
+  for (std::size_t a = 0; a < study.axes.size(); ++a) row[study.axes[a].name] = cell_json(point.axis_values[a]);
+  for (std::size_t q = 0; q < study.quantities.size(); ++q) row[study.quantities[q].name] = cell_json(point.values[q]);
   row["status"] = point.status;
-  points_.push_back(std::move(row));
+  return row;
 }
 
 }  // namespace earthtop::study

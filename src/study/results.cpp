@@ -62,8 +62,7 @@ std::vector<std::vector<double>> quantiles_of(Store& store, const std::vector<Mo
   searches.reserve(moments.size());
   for (const Moments& m : moments) {
     std::vector<std::uint64_t> ranks;
-    for (const double share : {0.05, 0.5, 0.95})
-      ranks.push_back(m.count == 0 ? 0 : static_cast<std::uint64_t>(std::llround(share * static_cast<double>(m.count - 1))));
+    for (const double share : kShares) ranks.push_back(rank_of(share, m.count));
     searches.emplace_back(ranks);
   }
   for (int pass = 0; pass < RankSearch::kPasses; ++pass) {
@@ -205,15 +204,17 @@ std::string document_in(const std::filesystem::path& file) {
 }
 
 /// Whether a document has results of another study, of which a point was completed.
-bool is_of_another(const std::string& document, const std::string& sha256) {
+bool is_of_another(const std::string& document, const std::vector<std::string>& identities) {
   const Json json = Json::parse(document);
   const Json::json_pointer identity("/provenance/study_sha256");
-  return json.contains(identity) && json.at(identity) != sha256 &&
+  const auto is_known = [&](const std::string& known) { return json.at(identity) == known; };
+  return json.contains(identity) && std::none_of(identities.begin(), identities.end(), is_known) &&
          json.value("points_computed", Json()) != json.value("points_failed", Json());
 }
 
 /// Refuses files of results that are not this study's as they were written. @throws ScenarioError; ReadError, WriteError
-void require_own_results(const std::filesystem::path& dir, const std::string& sha256, bool force) {
+/// @param identities  of the study, and of the designs from which it has grown
+void require_own_results(const std::filesystem::path& dir, const std::vector<std::string>& identities, bool force) {
   constexpr const char* kNotAsWritten = "is not as earthtop study wrote it";
   std::error_code error;
   for (const std::string_view name : kResultFiles)
@@ -224,7 +225,7 @@ void require_own_results(const std::filesystem::path& dir, const std::string& sh
   if (is_something_at(dir / kDocumentFile)) {
     document = document_in(dir / kDocumentFile);
     if (document.empty() || seal_of(document) == Seal::broken) refuse_present(dir / kDocumentFile, kNotAsWritten);
-    if (is_of_another(document, sha256)) refuse_present(dir / kDocumentFile, "has the results of another study");
+    if (is_of_another(document, identities)) refuse_present(dir / kDocumentFile, "has the results of another study");
   } else {  // a study that was killed while it put its files in place left it under a temporary name
     for (const std::filesystem::path& left : FileSet::temporaries(dir, kDocumentFile))
       if (!document_in(left).empty()) return;
@@ -232,6 +233,18 @@ void require_own_results(const std::filesystem::path& dir, const std::string& sh
   for (const std::string_view name : {kTableFile, kPictureFile})
     if (is_something_at(dir / name) && (document.empty() || !is_as_stated(dir, name, document)))
       refuse_present(dir / name, kNotAsWritten);
+}
+
+/// The identities of the results that a study may overwrite in a directory: its own, and those of the store there, of which
+/// `run_study` says whether it may grow.
+std::vector<std::string> identities_in(const std::filesystem::path& dir, const Study& study) {
+  std::vector<std::string> identities = {study_sha256(study)};
+  try {
+    const std::vector<std::string> there = Store::open(study_store(dir), sqlite::Connection::Mode::read).identities();
+    identities.insert(identities.end(), there.begin(), there.end());
+  } catch (const std::runtime_error&) {  // there is none, or it is for `run_study` to say what is wrong with it
+  }
+  return identities;
 }
 
 /// The results of a study as the contents of its files.
@@ -276,19 +289,40 @@ std::string study_json(const std::filesystem::path& file, const Watch& watch) {
       .document;
 }
 
+void study_whole_json(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
+  using namespace study;
+  Store store = Store::open(file, sqlite::Connection::Mode::read);
+  store.check();  // so that the quantiles, too, pass over damaged points
+  Json document = document_of(store, {});
+  document["points"] = Json::array();
+  const std::string text = json_with_escapes(written_replacing(document, 1)) + '\n';
+  constexpr std::string_view kNoPoints = "\n \"points\": []";  // at this indentation only the document's own
+  const std::size_t begin = text.find(kNoPoints) + kNoPoints.size() - 1;
+  sink(std::string_view(text).substr(0, begin));
+  bool is_first = true;
+  store.for_each([&](const PointResult& point) {
+    Json row = point_json(store.study(), point);
+    if (point.failed()) row["reason"] = point.reason;
+    sink((is_first ? "\n  " : ",\n  ") + json_with_escapes(written_replacing(row)));
+    is_first = false;
+  });
+  if (!is_first) sink("\n ");
+  sink(std::string_view(text).substr(begin));
+}
+
 void study_csv(const std::filesystem::path& file, const std::function<void(std::string_view)>& sink) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   study::write_table(store, sink, {});
 }
 
 void check_study_results(const std::filesystem::path& dir, const Study& study, bool force) {
-  study::require_own_results(dir, study_sha256(study), force);
+  study::require_own_results(dir, study::identities_in(dir, study), force);
 }
 
 void write_study_results(const std::filesystem::path& file, const Watch& watch, bool force) {
   study::Store store = study::Store::open(file, study::sqlite::Connection::Mode::read);
   FileSet files(file.parent_path(), study::kResultFiles, watch);
-  study::require_own_results(file.parent_path(), store.sha256(), force);
+  study::require_own_results(file.parent_path(), store.identities(), force);
   study::Files contents;
   files.add(study::kTableFile, [&](const FileSet::Sink& sink) { contents = study::files_of(store, sink, watch); });
   if (contents.picture) files.add(study::kPictureFile, *contents.picture);

@@ -9,9 +9,12 @@
 #include <thread>
 
 #include "earthtop/error.hpp"
+#include "earthtop/results/output_files.hpp"
 #include "earthtop/run.hpp"
 #include "input/file.hpp"
 #include "results/file_set.hpp"
+#include "results/seal.hpp"
+#include "study/growth.hpp"
 #include "study/process_workforce.hpp"
 #include "study/store.hpp"
 #include "study/store_lock.hpp"
@@ -82,27 +85,103 @@ bool is_under_way(const fs::path& file, const Study& study) {
   return store.sha256() == study_sha256(study) && may_hold_results(store);
 }
 
-/// @param replaced set if a store of another study was replaced because none of its runs had been completed
-Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, bool& replaced) {
+/// Refuses to replace a store by one of another design. @param here  what the points would be lost to, in words
+[[noreturn]] void refuse_loss(const fs::path& file, const Study& there, const Study& here, const StudyGrowth& growth) {
+  const std::string key = difference(there, here);
+  const std::string where = key.empty() ? "" : fmt::format(" ({})", key);
+  const std::string why = growth.why.empty() ? "" : "; " + growth.why;
+  if (growth.reused == 0)
+    refuse_file(
+        file, fmt::format("holds the points of another study, or of a base that has changed since{}{}; all {} of them would be "
+                          "lost; choose another --out, or --force to discard them and start again",
+                          where, why, growth.held));
+  refuse_file(
+      file,
+      fmt::format("holds {} points of another study or another design; this one lacks {} of them{}{}, which would be lost; "
+                  "choose another --out, with --reuse {} to copy the others, or --force to lose them",
+                  growth.held, growth.left_out, where, why, printable(file.string())));
+}
+
+/// Replaces a store by one of another design that has the points shared. It is put in place at once and complete: who is killed
+/// before has the older store, who is killed later goes on with the new one.
+void grow(const fs::path& file, const Study& study, const StudyShard& shard, const SharedPoints& shared) {
+  const fs::path next = file.string() + ".grown";
+  remove_store(next);
+  {
+    Store older = Store::open(file, sqlite::Connection::Mode::write);
+    Store fresh = Store::create(next, study, shard, older.identities());
+    fresh.begin();
+    copy_shared(shared, older, study, fresh);
+    fresh.commit();
+    fresh.finish();
+    older.finish();
+  }
+  if (is_something_at(file.string() + "-wal")) {  // SQLite would take it for the new file's
+    remove_store(next);
+    refuse_file(file, "is being read by another process; try again when that has ended");
+  }
+  std::error_code error;
+  fs::rename(next, file, error);
+  if (error) fail_to_write(file, error.value());
+}
+
+/// Opens the store of a study. One of another study makes room if none of its runs was completed or with `force`; one of another
+/// design of this study grows if no point is lost, or with `force`. @param report  receives what has happened
+Store open_or_create(const fs::path& file, const Study& study, const StudyRunOptions& options, StudyRunReport& report) {
   if (is_there(file) && is_blank(file)) remove_store(file);
+  remove_store(file.string() + ".grown");  // of a process that was killed
   if (!is_there(file)) return Store::create(file, study, options.shard);
   const std::string sha256 = study_sha256(study);
+  std::optional<SharedPoints> shared;
   try {
+    Store store = Store::open(file, sqlite::Connection::Mode::read);
+    if (store.sha256() != sha256) {
+      report.replaced = !may_hold_results(store);
+      if (!report.replaced) {
+        if (const StoreCheck check = store.check(); check.is_damaged())
+          refuse_file(file,
+                      fmt::format("holds the points of another study, and {}; choose another --out, or --force to discard "
+                                  "them and start again",
+                                  check.text()));
+        shared = shared_points(store, study, options.shard, build_text(), options.watch);
+        StudyGrowth& growth = shared->growth;
+        growth.from = file;
+        growth.replaced = true;
+        const bool grows = (growth.reused > 0 || shared->of_quantities) && growth.left_out == 0;
+        if (!grows && !options.force) refuse_loss(file, store.study(), study, growth);
+      }
+    }
+  } catch (const ScenarioError&) {
+    if (!options.force) throw;
+    remove_store(file);
+    return Store::create(file, study, options.shard);
+  }
+  if (shared) {
+    grow(file, study, options.shard, *shared);
+    report.growth.push_back(shared->growth);
+    return Store::open(file, sqlite::Connection::Mode::write);
+  }
+  {
     Store store = Store::open(file, sqlite::Connection::Mode::write);
     if (store.sha256() == sha256) {
       store.adopt(study);
       return store;
     }
-    replaced = !may_hold_results(store);
-  } catch (const ScenarioError&) {
-    if (!options.force) throw;
   }
-  if (!options.force && !replaced)
-    refuse_file(file,
-                "holds the points of another study, or of a base that has changed since; choose another --out, or --force to "
-                "discard them and start again");
   remove_store(file);
   return Store::create(file, study, options.shard);
+}
+
+/// Copies what fits from a store that stays as it is.
+StudyGrowth reuse(const fs::path& from, const Study& study, const StudyRunOptions& options, Store& store) {
+  Store older = Store::open(from, sqlite::Connection::Mode::read);
+  older.check_intact();
+  SharedPoints shared = shared_points(older, study, options.shard, store.build(), options.watch);
+  shared.growth.from = from;
+  store.begin();
+  shared.growth.reused = copy_shared(shared, older, study, store);
+  store.commit();
+  return shared.growth;
 }
 
 /// Copies the intact points with numbers from `first` to `last` from a damaged store. Where a part of the file cannot be read,
@@ -257,6 +336,15 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   require_room(options.dir, expected.disk_bytes / static_cast<double>(options.shard.n));
   StudyRunReport report;
   report.store = study_store(options.dir, options.shard);
+  fs::path from;
+  if (!options.reuse.empty()) {
+    from = store_at(options.reuse);
+    std::error_code ignored;
+    if (fs::equivalent(from, report.store, ignored))
+      from.clear();  // a store of another design grows by itself
+    else
+      Store::open(from, sqlite::Connection::Mode::read).check_intact();
+  }
   std::optional<StoreLock> lock;
   if (options.repair) {
     make_directory(options.dir);
@@ -268,8 +356,11 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
     if (const auto refusal = sample_points(study).common; refusal && !is_under_way(report.store, study)) throw *refusal;
   make_directory(options.dir);
   if (!lock) lock.emplace(report.store);
-  Store store = open_or_create(report.store, study, options, report.replaced);
+  Store store = open_or_create(report.store, study, options, report);
   report.has_checksums = store.check_intact().has_checksums;
+  if (!from.empty()) report.growth.push_back(reuse(from, study, options, store));
+  if (options.on_growth)
+    for (const StudyGrowth& growth : report.growth) options.on_growth(growth);
   if (options.retry_failed) store.remove_failed();
   const bool spread_out = options.processes && options.processes->workers() > 0;
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -284,6 +375,77 @@ StudyRunReport run_study(const Study& study, const StudyRunOptions& options) {
   return report;
 }
 
+namespace study {
+namespace {
+
+/// Refuses a store whose points fit into no design. @param here  the study of the store `first`
+[[noreturn]] void refuse_unlike(const fs::path& part, const Study& there, const Study& here, const fs::path& first,
+                                const StudyGrowth& growth) {
+  const std::string key = difference(there, here);
+  refuse_file(part, fmt::format("holds points of another study than {}{}{}", printable(first.string()),
+                                key.empty() ? "" : ": " + key, growth.why.empty() ? "" : "; " + growth.why));
+}
+
+/// A design with the points of several stores, and what each of them shares with it.
+struct Common {
+  Study study;
+  std::vector<SharedPoints> shared;  // one for each store; without pairs where its study is the same
+};
+
+/// What stores share with a design. @returns none where points of one do not fit; `unlike` then receives the first such store
+std::optional<Common> common_in(const Study& study, const std::vector<fs::path>& stores, const std::string& build,
+                                std::optional<std::pair<std::size_t, StudyGrowth>>& unlike) {
+  Common common{study, std::vector<SharedPoints>(stores.size())};
+  const std::string sha256 = study_sha256(study);
+  for (std::size_t i = 0; i < stores.size(); ++i) {
+    Store store = Store::open(stores[i], sqlite::Connection::Mode::read);
+    if (store.sha256() == sha256) continue;
+    common.shared[i] = shared_points(store, study, {}, build, {});
+    const StudyGrowth& growth = common.shared[i].growth;
+    if (growth.left_out == 0 && growth.why.empty() && (growth.reused > 0 || growth.held == 0)) continue;
+    if (!unlike) unlike.emplace(i, growth);
+    return std::nullopt;
+  }
+  return common;
+}
+
+/// The design of one of the stores that has the points of all; or the grid of all values.
+/// @throws ScenarioError, which names the key that differs, where there is none
+Common common_design(const std::vector<fs::path>& stores) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;  // the largest design first
+  std::vector<Study> studies;
+  std::vector<std::string> identities, builds;
+  for (std::size_t i = 0; i < stores.size(); ++i) {
+    Store store = Store::open(stores[i], sqlite::Connection::Mode::read);
+    store.check_intact();
+    order.emplace_back(~point_count(store.study()).value_or(0), i);
+    studies.push_back(store.study());
+    identities.push_back(store.sha256());
+    builds.push_back(store.build());
+  }
+  if (std::equal(identities.begin() + 1, identities.end(), identities.begin()))
+    return {studies.front(), std::vector<SharedPoints>(stores.size())};
+  std::sort(order.begin(), order.end());
+  std::optional<std::pair<std::size_t, StudyGrowth>> unlike;
+  std::vector<std::string> tried;
+  for (const auto& [unused, place] : order) {
+    if (std::find(tried.begin(), tried.end(), identities[place]) != tried.end()) continue;
+    tried.push_back(identities[place]);
+    if (auto common = common_in(studies[place], stores, builds[place], unlike)) return *std::move(common);
+  }
+  std::optional<Study> all = studies.front();
+  for (std::size_t i = 1; all && i < stores.size(); ++i)
+    if (identities[i] != identities[0]) all = united(*all, studies[i]);
+  std::optional<std::pair<std::size_t, StudyGrowth>> ignored;
+  if (all)
+    if (auto common = common_in(*all, stores, builds.front(), ignored)) return *std::move(common);
+  const std::size_t largest = order.front().second;
+  refuse_unlike(stores[unlike->first], studies[unlike->first], studies[largest], stores[largest], unlike->second);
+}
+
+}  // namespace
+}  // namespace study
+
 std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& stores, const std::filesystem::path& dir,
                                  bool force) {
   using namespace earthtop::study;
@@ -293,25 +455,24 @@ std::uint64_t merge_study_stores(const std::vector<std::filesystem::path>& store
     std::error_code error;
     if (fs::equivalent(part, target, error)) refuse_file(part, "is the merged store itself; choose another --out");
   }
-  std::optional<Store> first = Store::open(stores.front(), sqlite::Connection::Mode::read);
-  for (const fs::path& part : stores) {
-    Store store = Store::open(part, sqlite::Connection::Mode::read);
-    if (store.sha256() != first->sha256())
-      refuse_file(part, fmt::format("holds points of another study than {}", stores.front().string()));
-    store.check_intact();
-  }
-  check_study_results(dir, first->study(), force);
+  const Common common = common_design(stores);
+  const std::string sha256 = study_sha256(common.study);
+  check_study_results(dir, common.study, force);
   make_directory(dir);
   const StoreLock lock(target);
   StudyRunOptions options;
   options.force = force;
-  bool replaced = false;
-  Store merged = open_or_create(target, first->study(), options, replaced);
+  StudyRunReport report;
+  Store merged = open_or_create(target, common.study, options, report);
   merged.check_intact();
-  for (const fs::path& part : stores) {
-    Store store = Store::open(part, sqlite::Connection::Mode::read);
+  for (std::size_t i = 0; i < stores.size(); ++i) {
+    Store store = Store::open(stores[i], sqlite::Connection::Mode::read);
+    if (store.build() != merged.build()) merged.mix_builds();
     merged.begin();
-    store.for_each([&](const PointResult& point) { merged.insert(point); });
+    if (store.sha256() == sha256)
+      store.for_each([&](const PointResult& point) { merged.insert(point); });
+    else
+      copy_shared(common.shared[i], store, common.study, merged);
     merged.commit();
   }
   const std::uint64_t count = merged.count();

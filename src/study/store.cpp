@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "study/store.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <bit>
 #include <charconv>
 #include <cstdio>
+#include <iterator>
 #include <limits>
+#include <sstream>
 
 #include "earthtop/error.hpp"
 #include "earthtop/results/provenance.hpp"
@@ -36,6 +38,19 @@ std::uint64_t whole_number(const std::string& text) {
 
 constexpr const char* kFactsChecksum = "facts_checksum";  // the checksum of all facts but itself and the next
 constexpr const char* kContents = "contents";
+constexpr const char *kGrownFrom = "grown_from", *kMixed = "mixed_builds";
+
+std::string build_of(const Facts& facts) {
+  std::string text;
+  for (const char* key : {"version", "commit", "compiler", "flags"})
+    if (const auto fact = facts.find(key); fact != facts.end()) text += (text.empty() ? "" : ", ") + fact->second;
+  return facts.contains(kMixed) ? "" : text;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
 
 Facts facts_of(sqlite::Connection& connection) {
   Facts facts;
@@ -100,6 +115,11 @@ std::string facts_checksum(const Facts& facts) {
   return checksum_text(checksum.value());
 }
 
+std::string build_text() {
+  const BuildInfo& build = build_info();
+  return build_of({{"version", build.version}, {"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}});
+}
+
 std::string StoreCheck::text() const {
   const std::uint64_t wrong = damaged.size() + lost;
   std::string numbers;
@@ -136,7 +156,8 @@ std::string Store::columns() const {
   return has_checksums_ ? list + ", " + kRowChecksum : list;
 }
 
-Store Store::create(const std::filesystem::path& file, const Study& study, const StudyShard& shard) {
+Store Store::create(const std::filesystem::path& file, const Study& study, const StudyShard& shard,
+                    const std::vector<std::string>& grown_from) {
   Store store(std::make_unique<sqlite::Connection>(file.string(), sqlite::Connection::Mode::write), study, study_sha256(study),
               shard);
   store.file_ = file;
@@ -163,6 +184,9 @@ Store Store::create(const std::filesystem::path& file, const Study& study, const
                  {"commit", build.commit},
                  {"compiler", build.compiler},
                  {"flags", build.flags}};
+  store.build_ = build_of(facts);
+  store.grown_from_ = grown_from;
+  if (!grown_from.empty()) facts[kGrownFrom] = fmt::format("{}", fmt::join(grown_from, " "));
   facts[kFactsChecksum] = facts_checksum(facts);
   for (const auto& [key, value] : facts) put(connection, key, value);
   store.commit();
@@ -197,6 +221,8 @@ Store Store::open(const std::filesystem::path& file, sqlite::Connection::Mode mo
               StudyShard{whole_number(facts["shard_k"]), whole_number(facts["shard_n"])});
   store.has_checksums_ = has_checksums;
   store.file_ = file;
+  store.build_ = build_of(facts);
+  store.grown_from_ = words_of(facts[kGrownFrom]);
   if (!store.has_its_table()) {
     store.connection_->require_read();
     refuse_file(file, fmt::format("is damaged: its table of points is not that of its study{}", kRepairStore));
@@ -350,8 +376,24 @@ void Store::adopt(const Study& study) try {
   if (has_checksums_) put(*connection_, kFactsChecksum, facts_checksum(facts_of(*connection_)));
   commit();
   study_ = study;
+  if (build_ != build_text()) mix_builds();  // points that are added from now on are this build's
 } catch (const sqlite::DamageError& what) {
   refuse_file(file_, fmt::format("is damaged ({}){}", what.reason(), kRepairStore));
+}
+
+std::vector<std::string> Store::identities() const {
+  std::vector<std::string> list = {sha256_};
+  list.insert(list.end(), grown_from_.begin(), grown_from_.end());
+  return list;
+}
+
+void Store::mix_builds() {
+  if (build_.empty()) return;
+  begin();
+  put(*connection_, kMixed, "yes");
+  if (has_checksums_) put(*connection_, kFactsChecksum, facts_checksum(facts_of(*connection_)));
+  commit();
+  build_.clear();
 }
 
 std::uint64_t Store::counted(const char* condition) {
@@ -430,6 +472,12 @@ Store::Points Store::points(std::uint64_t first, std::optional<std::uint64_t> la
   return {sqlite::Statement(*connection_,
                             fmt::format("SELECT {} FROM point WHERE number >= {}{} ORDER BY number", columns(), first, until)),
           *this};
+}
+
+std::optional<PointResult> Store::point(std::uint64_t number) {
+  Points one = points(number, number);
+  PointResult point;
+  return one.next(point) ? std::optional(std::move(point)) : std::nullopt;
 }
 
 bool Store::Points::read(PointResult& point) const {

@@ -22,6 +22,8 @@ namespace earthtop::study {
 using Facts = std::map<std::string, std::string>;
 /// The checksum of all facts but those that are checksums themselves.
 std::string facts_checksum(const Facts& facts);
+/// This program's build, as `Store::build` tells that of a store.
+std::string build_text();
 
 /// The findings of a check of a store.
 struct StoreCheck {
@@ -37,8 +39,9 @@ struct StoreCheck {
 
 class Store {
  public:
-  /// Creates an empty store. @throws WriteError
-  static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard);
+  /// Creates an empty store. @param grown_from  `identities` of the store that it takes the place of   @throws WriteError
+  static Store create(const std::filesystem::path& file, const Study& study, const StudyShard& shard,
+                      const std::vector<std::string>& grown_from = {});
   /// Opens an existing store. @throws ScenarioError if the file is not a store of this format; ReadError, WriteError
   static Store open(const std::filesystem::path& file, sqlite::Connection::Mode mode);
 
@@ -52,6 +55,12 @@ class Store {
   /// Replaces what is not part of a study's identity: title, finding, fits, figures. @param study has the same identity
   void adopt(const Study& study);
   const StudyShard& shard() const { return shard_; }
+  /// The study's identity, and those of the designs from which the store has grown: their results may lie beside it.
+  std::vector<std::string> identities() const;
+  /// The build that computed the points, in words; empty where several did.
+  const std::string& build() const { return build_; }
+  /// Records that points of another build are among the points.
+  void mix_builds();
   bool has_checksums() const { return has_checksums_; }
 
   std::uint64_t count() { return counted(""); }
@@ -74,6 +83,9 @@ class Store {
 
   /// The numbers of stored points in first <= number < end, ascending.
   std::vector<std::uint64_t> numbers(std::uint64_t first, std::uint64_t end);
+
+  /// One point; none if it is not there or damaged.
+  std::optional<PointResult> point(std::uint64_t number);
 
   /// All points in ascending order, one at a time; those whose row is damaged are passed over.
   class Points {
@@ -122,7 +134,8 @@ class Store {
 
   std::unique_ptr<sqlite::Connection> connection_;
   Study study_;
-  std::string sha256_;
+  std::string sha256_, build_;
+  std::vector<std::string> grown_from_;
   StudyShard shard_;
   bool has_checksums_ = true, passes_over_ = false;
   std::filesystem::path file_;

@@ -273,12 +273,16 @@ class Decoder {
     if (quantity.path.empty() || quantity.path.size() > 200)
       return given.refuse("must be a path in summary.json, e.g. \"drift.axis_final_rad\", or {\"name\": ..., \"path\": ...}");
     if (const auto fault = base_ ? std::nullopt : summary_path_fault(quantity.path)) return given.refuse(*fault);
-    constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyz0123456789_.-";
+    constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.-";
     if (quantity.name.empty() || quantity.name.find_first_not_of(kAllowed) != std::string::npos)
-      return given.refuse(fmt::format("\"{}\" cannot name a column: a-z, 0-9, _, - and . only", excerpt(quantity.name)));
+      return given.refuse(fmt::format("\"{}\" cannot name a column: letters, digits, _, - and . only", excerpt(quantity.name)));
     if (quantity.name.size() > kLongestColumn)
       return given.refuse(fmt::format("\"{}\" has more than {} characters", excerpt(quantity.name), kLongestColumn));
-    if (!columns_.insert(quantity.name).second)
+    // SQLite does not tell capitals apart in the names of columns.
+    std::string column = quantity.name;
+    std::transform(column.begin(), column.end(), column.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (!columns_.insert(column).second)
       return given.refuse(fmt::format("there is already a column \"{}\"; give another name", excerpt(quantity.name)));
     study_.quantities.push_back(std::move(quantity));
   }

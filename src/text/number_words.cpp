@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -90,6 +91,28 @@ std::string least_text(double least, int digits) {
 std::string most_text(double most, int digits) {
   const std::string text = least_text(-most, digits);
   return text.front() == '-' ? text.substr(1) : "-" + text;
+}
+
+double rounding_of_step(double from, double to, bool logarithmic, double value) {
+  // Of from + x (to - from): one rounding each of x, the difference, the product and the sum; of from exp(x ln(to/from)): the
+  // exponent's rounding errors grow with its size.
+  constexpr double kRoundings = 4;
+  const double size =
+      logarithmic ? std::abs(value) * (1 + std::abs(real::log(to / from))) : std::max(std::abs(from), std::abs(to));
+  return kRoundings * std::numeric_limits<double>::epsilon() / 2 * size;
+}
+
+double meant_number(double value, double error) {
+  if (!std::isfinite(value) || !(error > 0)) return value;
+  constexpr int kAllDigits = 17;
+  if (std::abs(value) <= error) return 0;
+  for (int digits = 1; digits < kAllDigits; ++digits) {
+    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
+    double near = value;
+    std::from_chars(text.data(), text.data() + text.size(), near);
+    if (std::abs(near - value) <= error) return near;
+  }
+  return value;
 }
 
 std::string time_text(double t_s) {

@@ -37,6 +37,12 @@ std::pair<std::string, std::string> told_apart(double one, double other, int dig
 std::string least_text(double least, int digits = 6);
 std::string most_text(double most, int digits = 6);
 
+/// The number with the fewest decimal digits that is no farther from a value than its rounding error: 0.3 for a third step of 0.1,
+/// which is 0.30000000000000004.   @param error  how far rounding may have moved the value
+double meant_number(double value, double error);
+/// How far rounding may have moved a value at equal steps (or ratios) between two ends.
+double rounding_of_step(double from, double to, bool logarithmic, double value);
+
 /// A time as a reader would write it, without the rounding of its last digits: "32.3 s".
 std::string time_text(double t_s);
 

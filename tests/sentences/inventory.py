@@ -19,7 +19,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 ROOMS = ["src/input", "src/scenario", "src/scene", "src/budget", "src/run", "src/results", "src/measure", "src/plan", "src/compare",
          "src/report"]
 TEXTS = ["check", "compare", "explain", "plan", "report", "run", "*_text"]  # of tools/earthtop
-NO_SENTENCES = ["src/compare/fields.cpp", "src/scenario/fields.cpp", "src/scenario/schema.cpp", "src/results/columns.cpp"]  # meanings of keys and columns
+NO_SENTENCES = ["src/compare/fields.cpp", "src/results/meanings.cpp", "src/scenario/fields.cpp", "src/scenario/schema.cpp", "src/results/columns.cpp"]  # meanings of keys and columns
 QUOTED = ("*.cpp", "*.hpp", "*.py", "*.sh", "*.mjs", "*.json", "*.txt")
 ESCAPES = {"n": "\n", "t": "\t"}
 

@@ -7,7 +7,7 @@
 #include "earthtop/compare/compare.hpp"
 #include "earthtop/measure/releases_file.hpp"
 #include "earthtop/scenario/reference.hpp"
-#include "earthtop/study/study.hpp"
+#include "earthtop/study/run_study.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -21,7 +21,7 @@ struct DescribedFile {
   std::string (*schema)();
   std::string (*markdown)();
 };
-constexpr std::array<DescribedFile, 5> kDescribedFiles = {{
+constexpr std::array<DescribedFile, 6> kDescribedFiles = {{
     {nullptr, "", scenario_schema, scenario_reference_markdown},
     {"--study", "describe a study file instead", study_schema, study_reference_markdown},
     {"--mapping", "describe a mapping file instead, with which compare reads a foreign CSV file", mapping_schema,
@@ -30,6 +30,8 @@ constexpr std::array<DescribedFile, 5> kDescribedFiles = {{
      tolerances_reference_markdown},
     {"--releases", "describe a release list instead, which compare and plan take", releases_schema,
      releases_reference_markdown},
+    {"--study-results", "describe the results of a study instead, as study.json and study export --json have them",
+     study_results_schema, study_results_reference_markdown},
 }};
 
 struct SchemaArguments {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <filesystem>
@@ -37,8 +38,8 @@ struct StudyArguments {
   std::string study;  // a file, or "-"
   std::optional<std::string> out;
   unsigned jobs = 0;
-  std::string shard;
-  bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false;
+  std::string shard, reuse;
+  bool force = false, keep_going = false, retry_failed = false, repair = false, dry_run = false, list_quantities = false;
   bool json = false, quiet = false;
   std::vector<std::string> stores;  // for merge
   std::string store;                // for show and export
@@ -105,6 +106,28 @@ int dry_run(const Study& study, const StudyArguments& arguments) {
   return kDone;
 }
 
+int list_quantities(const StudyArguments& arguments) {
+  const std::vector<CollectablePath> all =
+      arguments.study.empty() ? collectable_paths() : collectable_paths(read_scenario_source(arguments.study));
+  if (arguments.json) {
+    std::vector<JsonObject> objects;
+    for (const CollectablePath& each : all) {
+      JsonObject object;
+      object.put("path", each.path).put("unit", each.unit).put("meaning", each.meaning);
+      objects.push_back(std::move(object));
+    }
+    print_json(JsonObject().put("quantities", objects));
+    return kDone;
+  }
+  std::size_t path = 0, unit = 0;
+  for (const CollectablePath& each : all) path = std::max(path, each.path.size()), unit = std::max(unit, each.unit.size());
+  std::string text;
+  for (const CollectablePath& each : all)
+    text += fmt::format("{:<{}}  {:<{}}  {}\n", each.path, path, each.unit, unit, each.meaning);
+  print(text);
+  return kDone;
+}
+
 /// Reports the end of a shard; its points alone are not shown as a study.
 void print_shard_report(const StudyRunReport& report, const StudyArguments& arguments) {
   if (arguments.json)
@@ -151,6 +174,17 @@ void warn_of_missing_checksums(const fs::path& store, bool has_checksums) {
                         printable(store.string())));
 }
 
+/// What an older store gave to a study, and why it gave no more.
+std::string growth_text(const StudyGrowth& growth) {
+  std::string text =
+      fmt::format("reused {} of {} points from {}", growth.reused, growth.points, printable(growth.from.string()));
+  if (!growth.why.empty()) text += ": " + growth.why;
+  if (growth.left_out > 0)
+    text += fmt::format("; {} of its {} points are not in this design, and {}", growth.left_out, growth.held,
+                        growth.replaced ? "have been dropped" : "stay there");
+  return text;
+}
+
 int study_verb(const StudyArguments& arguments) {
   StudyProcesses processes;
   if (!processes.is_first()) {
@@ -158,6 +192,7 @@ int study_verb(const StudyArguments& arguments) {
     processes.serve(stop_flag());
     return kDone;
   }
+  if (arguments.list_quantities) return list_quantities(arguments);
   if (arguments.study.empty()) throw ScenarioError("", "a study file is needed, or one of merge, show, export");
   const Study study = parse_study(read_scenario_source(arguments.study));
   if (arguments.dry_run) return dry_run(study, arguments);
@@ -169,6 +204,7 @@ int study_verb(const StudyArguments& arguments) {
   options.keep_going = arguments.keep_going;
   options.retry_failed = arguments.retry_failed;
   options.repair = arguments.repair;
+  options.reuse = arguments.reuse;
   options.processes = &processes;
   options.watch = stop_flag();
   if (options.shard.is_whole()) check_study_results(options.dir, study, options.force);
@@ -185,7 +221,19 @@ int study_verb(const StudyArguments& arguments) {
       told = true;
       line.show(progress_text(progress));
     };
-    report = run_study(study, options);
+    options.on_growth = [&](const StudyGrowth& growth) {
+      const bool says_nothing = growth.reused == 0 && growth.left_out == 0 && growth.why.empty();  // all was there already
+      if (arguments.quiet || arguments.json || says_nothing) return;
+      line.clear();
+      message(growth_text(growth));
+      told = told || growth.reused > 0;
+    };
+    try {
+      report = run_study(study, options);
+    } catch (const Interrupted&) {  // while the points of an older store were looked for
+      report.interrupted = true;
+      report.progress.wanted = point_count(study).value_or(0);
+    }
   }
   if (report.replaced && !arguments.quiet && !arguments.json)
     message(fmt::format("{} was another study's, no point of which had been completed; it has been replaced",
@@ -251,7 +299,8 @@ int show_verb(const StudyArguments& arguments) {
 int export_verb(const StudyArguments& arguments) {
   const fs::path store = store_at(arguments.store);
   const int status = check_store(store);
-  study_csv(store, [](std::string_view piece) { print(piece); });
+  const auto pass_on = [](std::string_view piece) { print(piece); };
+  arguments.json ? study_whole_json(store, pass_on) : study_csv(store, pass_on);
   return status;
 }
 
@@ -270,11 +319,15 @@ Verb describe_study() {
   study.add("--out", &a.out, "directory for the store and the results; default: out/studies/<name>").called("DIR");
   study.add("--jobs", &a.jobs, "number of threads; default: one per core").called("N").within(1, 4096);
   study.add("--shard", &a.shard, "compute only every N-th point, beginning with the K-th").called("K/N");
+  study.add("--reuse", &a.reuse, "copy the points that an older store, or the directory that holds it, has of this design")
+      .called("OLD");
   study.add("--force", &a.force, "discard the store of another study, and overwrite results that are not this study's");
   study.add("--keep-going", &a.keep_going,
             "compute the study even if all points examined beforehand are refused for the same reason");
   study.add("--retry-failed", &a.retry_failed, "compute failed points again");
   study.add("--repair", &a.repair, "keep the intact points of a damaged store, and compute the others again");
+  study.add("--list-quantities", &a.list_quantities,
+            "list what a study can collect, with unit and meaning; of STUDY, or a scenario, only what its runs have");
   study.add("--dry-run", &a.dry_run, "count the points, and estimate time and disk space; store nothing");
   add_output_flags(study);
 
@@ -309,13 +362,17 @@ Verb describe_study() {
       .called("CONDITION");
   show.add("--json", &a.json, "print it as one JSON document");
 
-  Verb table("export", "print the points of a store as CSV", [arguments] { return export_verb(*arguments); });
-  table.describe("Prints a line for every point that has been computed, as in study.csv.");
+  Verb table("export", "print the points of a store as CSV or JSON", [arguments] { return export_verb(*arguments); });
+  table.describe(
+      "Prints a line for every point that has been computed, as in study.csv; with --json the results with every point as one "
+      "document, which earthtop schema --study-results describes.");
   table.example("earthtop study export out/studies/latitudes > points.csv", "writes the points to a file");
   table.ends_with(kNegative, "the store is damaged: a point does not match its checksum");
   table.ends_with(kRefused, "the command line was refused, or there is no such store");
   table.ends_with(kWriteFailed, "reading the store broke off, or writing to standard output failed");
+  table.example("earthtop study export out/studies/latitudes --json > points.json", "writes all results as JSON");
   table.add("STORE", &a.store, "a store, or the directory that holds it").required();
+  table.add("--json", &a.json, "print the results with all points as one JSON document");
 
   study.describe(
       "Runs a scenario at many points, those of a grid or a sample, and keeps every point in a store, study.sqlite, as soon as "

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "earthtop/error.hpp"
+#include "text/number_words.hpp"
 #include "wrapped.hpp"
 
 namespace earthtop::tool {
@@ -23,6 +24,34 @@ std::string cell(const Json& value) {
   if (value.is_string()) return printable(value.get<std::string>());
   return printable(value.dump());
 }
+
+/// How a value of an axis is told: with the digits that were meant.
+class AxisText {
+ public:
+  explicit AxisText(const Json& axis, const Json& design) {
+    const std::string kind = design.at("kind").get<std::string>();
+    drawn_ = kind == "random" || kind == "latin_hypercube" || kind == "sobol";
+    for (const bool logarithmic : {false, true})
+      if (const char* key = logarithmic ? "log_range" : "range"; axis.contains(key)) {
+        logarithmic_ = logarithmic;
+        is_range_ = true;
+        from_ = axis.at(key).at("from").at(0).get<double>();
+        to_ = axis.at(key).at("to").at(0).get<double>();
+      }
+  }
+  std::string operator()(const Json& value) const {
+    if (!value.is_number() || drawn_) return cell(value);
+    const auto number = value.get<double>();
+    std::string text =
+        fmt::format("{}", is_range_ ? meant_number(number, rounding_of_step(from_, to_, logarithmic_, number)) : number);
+    constexpr std::size_t kLong = 12;
+    return is_range_ && text.size() > kLong ? fmt::format("{:.9g}", number) : text;
+  }
+
+ private:
+  bool drawn_ = false, is_range_ = false, logarithmic_ = false;
+  double from_ = 0, to_ = 0;
+};
 
 /// Lays out columns as wide as their widest cells, with numbers to the right.
 std::string table(const std::vector<Row>& rows) {
@@ -63,9 +92,10 @@ std::string points_text(const Json& document) {
   const std::string quantity = document.at("quantities").at(0).at("name").get<std::string>();
   if (axes.size() == 2 && document.at("design").at("kind") == "grid") {
     const std::string down = axes[0].at("name").get<std::string>(), across = axes[1].at("name").get<std::string>();
+    const AxisText text_down(axes[0], document.at("design")), text_across(axes[1], document.at("design"));
     std::vector<Row> rows = {{fmt::format("{} \\ {}", down, across)}};
     for (const Json& point : points) {
-      const std::string x = cell(point.at(across)), y = cell(point.at(down));
+      const std::string x = text_across(point.at(across)), y = text_down(point.at(down));
       const auto column = std::find(rows[0].begin() + 1, rows[0].end(), x) - rows[0].begin();
       if (column == static_cast<std::ptrdiff_t>(rows[0].size())) rows[0].push_back(x);
       if (rows.size() == 1 || rows.back()[0] != y) rows.push_back({y});
@@ -79,38 +109,36 @@ std::string points_text(const Json& document) {
   for (const Json& axis : axes) head.push_back(axis.at("name").get<std::string>());
   for (const Json& q : document.at("quantities")) head.push_back(q.at("name").get<std::string>());
   std::vector<Row> rows = {head};
+  std::vector<AxisText> texts;
+  for (const Json& axis : axes) texts.emplace_back(axis, document.at("design"));
   for (const Json& point : points) {
     Row row;
-    for (const std::string& name : head) row.push_back(cell(point.at(name)));
+    for (std::size_t i = 0; i < head.size(); ++i)
+      row.push_back(i > 0 && i <= axes.size() ? texts[i - 1](point.at(head[i])) : cell(point.at(head[i])));
     rows.push_back(std::move(row));
   }
   return "\nPoints\n" + table(rows);
 }
 
-/// Means along each axis, which can be shown even if there are too many points or axes to list.
+/// Means and quantiles along each axis, which can be shown even if there are too many points or axes to list.
 std::string marginals_text(const Json& document) {
   std::string text;
   constexpr std::size_t kMostRows = 40, kMostQuantities = 4;
   for (const auto& [axis, levels] : document.at("marginals").items()) {
     if (levels.size() < 2 || levels.size() > kMostRows) continue;
-    Row head = {axis, "count"};
-    for (const Json& q : document.at("quantities"))
-      if (document.at("statistics").contains(q.at("name")) && head.size() < kMostQuantities + 2)
-        head.push_back(q.at("name").get<std::string>());
-    std::vector<Row> rows = {head};
-    for (const Json& level : levels) {
-      Row row = {cell(level.at("value")), ""};
-      for (std::size_t i = 2; i < head.size(); ++i) {
-        if (!level.contains(head[i])) {
-          row.emplace_back();
-          continue;
-        }
-        row[1] = cell(level.at(head[i]).at("count"));
-        row.push_back(cell(level.at(head[i]).at("mean")));
+    std::size_t shown = 0;
+    for (const Json& q : document.at("quantities")) {
+      const std::string name = q.at("name").get<std::string>();
+      if (!document.at("statistics").contains(name) || ++shown > kMostQuantities) continue;
+      std::vector<Row> rows = {{axis, "count", "mean", "5 %", "median", "95 %"}};
+      for (const Json& level : levels) {
+        Row row = {cell(level.at("value"))};
+        for (const char* key : {"count", "mean", "quantile_05", "median", "quantile_95"})
+          row.push_back(level.contains(name) ? cell(level.at(name).value(key, Json())) : "");
+        rows.push_back(std::move(row));
       }
-      rows.push_back(std::move(row));
+      text += fmt::format("\nMeans and quantiles of {} along {}\n", name, axis) + table(rows);
     }
-    text += fmt::format("\nMeans along {}\n", axis) + table(rows);
   }
   return text;
 }

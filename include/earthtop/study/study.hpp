@@ -132,6 +132,15 @@ StudySample sample_points(const Study& study);
 /// it. Comments, titles, fits and limits are not part of it.
 std::string study_sha256(const Study& study);
 
+/// Something that a study can collect.
+struct CollectablePath {
+  std::string path;  ///< dotted path in summary.json; the number 0 stands for any element of a list
+  std::string unit, meaning;
+};
+/// Everything that a study can collect.
+/// @param source  a study file, or a scenario: what no run of it can have is left out   @throws ScenarioError
+std::vector<CollectablePath> collectable_paths(const std::optional<ScenarioSource>& source = std::nullopt);
+
 /// JSON Schema (draft 7) of a study file, and every key of it as a Markdown table.
 std::string study_schema();
 std::string study_reference_markdown();
