@@ -60,8 +60,8 @@ void expect_said(const std::function<void()>& action, const std::string& words) 
 /// Writes results that are not those of ShortRun.
 void write_shorter_run(const fs::path& directory) {
   const Overrides shorter = {{"/motion/duration_s", "5"}};
-  write_results(run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json"), shorter)), directory,
-                false);
+  write_results(run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json"), shorter)),
+                directory, false);
 }
 
 /// Where a file is on disk, and when it was last written.
