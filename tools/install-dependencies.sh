@@ -44,5 +44,23 @@ if [[ $(id -u) -ne 0 ]]; then
   as_root=(sudo)
 fi
 echo "Installing: ${missing[*]}"
-"${as_root[@]}" apt-get update -q
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}"
+
+# Another process may hold a lock of the package manager: for installing, which apt-get itself waits for, or for the lists, for which
+# it does not. Both are waited for, 10 minutes at most.
+wait_s=${EARTHTOP_LOCK_WAIT_S:-600}
+echo "If another process is using the package manager, this waits until that has ended, ${wait_s} s at most."
+update() { LC_ALL=C "${as_root[@]}" apt-get -o DPkg::Lock::Timeout="$wait_s" update -q 2>&1; }
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+waited=0
+until update >"$log"; do
+  if ! grep -q 'Could not get lock' "$log" || ((waited >= wait_s)); then
+    cat "$log" >&2
+    exit 1
+  fi
+  if ((waited == 0)); then echo "Waiting: another process holds the lock of the package lists"; fi
+  sleep 2
+  waited=$((waited + 2))
+done
+cat "$log"
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout="$wait_s" install -q -y --no-install-recommends "${missing[@]}"

@@ -23,7 +23,8 @@ std::string counted(std::size_t count, std::string_view one, std::string_view se
 
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text + '.';
+  const bool has_end = text.ends_with('.') || text.ends_with('?') || text.ends_with('!');
+  return has_end ? text : text + '.';
 }
 
 /// A quantity with its largest difference: "drift_spin_rad (spin phase, rotating minus prediction), 8.6e-07 rad at t = 59.6 s".

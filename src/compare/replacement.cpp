@@ -58,6 +58,19 @@ void remove_tree(const fs::path& directory) {
   if (::rmdir(directory.c_str()) != 0 && errno != ENOENT) fail_to_write(directory, errno);
 }
 
+/// Whether a file's next version is what is in place already: the same bytes, or no file.
+bool is_in_place(const ReplacedFile& change) {
+  if (!change.is_put) return !is_there(change.place);
+  struct stat last = {}, next = {};
+  if (::lstat(change.place.c_str(), &last) != 0 || ::lstat(change.next.c_str(), &next) != 0) return false;
+  if (!S_ISREG(last.st_mode) || !S_ISREG(next.st_mode) || last.st_size != next.st_size) return false;
+  try {
+    return input::checksum_of_file(change.place.string(), {"file"}) == input::checksum_of_file(change.next.string(), {"file"});
+  } catch (const FileError&) {  // what cannot be read is replaced
+    return false;
+  }
+}
+
 /// Keeps the old version of a file. It stays in its place, too, where the file system has hard links.
 void keep_last(const ReplacedFile& change) {
   if (::link(change.place.c_str(), change.last.c_str()) == 0 || errno == EEXIST || errno == ENOENT) return;
@@ -259,6 +272,20 @@ void Replacement::remove(const fs::path& name) {
   file.is_put = false;
 }
 
+bool Replacement::changes(const fs::path& name) const {
+  const auto known = std::find_if(changes_.begin(), changes_.end(),
+                                  [&](const ReplacedFile& change) { return change.name.native() == name.native(); });
+  return known != changes_.end() && !is_in_place(*known);
+}
+
+void Replacement::keep(const fs::path& name) {
+  const auto known = std::find_if(changes_.begin(), changes_.end(),
+                                  [&](const ReplacedFile& change) { return change.name.native() == name.native(); });
+  if (known == changes_.end()) return;
+  remove_file(known->next);
+  changes_.erase(known);
+}
+
 void Replacement::write_journal() {
   std::string text(kHead);
   for (const ReplacedFile& change : changes_) {
@@ -286,6 +313,9 @@ void Replacement::commit() {
   std::stable_sort(changes_.begin(), changes_.end(), [](const ReplacedFile& a, const ReplacedFile& b) {
     return a.place.parent_path() < b.place.parent_path();  // a directory is locked once
   });
+  for (std::size_t i = changes_.size(); i-- > 0;)
+    if (is_in_place(changes_[i])) keep(fs::path(changes_[i].name));
+  if (changes_.empty()) return;
   for (ReplacedFile& change : changes_) change.was_there = is_there(change.place);
   if (watch_.asks_to_stop()) throw Interrupted();
   const CommitMoment moment;

@@ -44,10 +44,14 @@ class Replacement {
   /// States that a file of the next version will be written to `staged(name)`.
   void take(const std::filesystem::path& name);
   std::filesystem::path staged(const std::filesystem::path& name) const;
+  /// Whether the staged version of a file differs from the one in place, or one of the two is missing.
+  bool changes(const std::filesystem::path& name) const;
+  /// States that a file stays as it is: what was staged under this name is dropped.
+  void keep(const std::filesystem::path& name);
   /// States that the next version has no such file.
   void remove(const std::filesystem::path& name);
 
-  /// Puts the next version in place. @throws WriteError; then everything is as it was before, unless the message says otherwise
+  /// Puts the next version in place. Files whose content is the same are not touched. @throws WriteError; then everything is as it was before, unless the message says otherwise
   void commit();
 
   /// A file that changes: its place, and where its next and its last version are kept. `was_there`: there is a last version.

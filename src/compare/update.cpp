@@ -77,6 +77,7 @@ struct Update {
   const std::string& reason;
   Watch watch;
   FileIdentities read;  ///< the files of which the new references are made
+  bool has_changed = false;
 };
 
 /// Copies a file of a snapshot to the next version. @returns the checksum of its bytes
@@ -107,6 +108,18 @@ void require_whole(const fs::path& candidate, const FileChecksums& copied, const
   }
 }
 
+/// Puts the notes of a reference that changes; those of one that does not stay as they are.
+template <class Names>
+void put_notes_of_change(Update& update, const fs::path& root, const fs::path& place, const Names& names) {
+  const bool has_changed =
+      std::any_of(std::begin(names), std::end(names), [&](const auto& name) { return update.next.changes(place / name); });
+  if (has_changed || !is_there(root / place / kNotes))
+    put_notes(update, root, place);
+  else
+    update.next.keep(place / kNotes);
+  update.has_changed = has_changed || update.next.changes(place / kNotes);
+}
+
 /// Copies the results of a run. @param place  the reference's path below the root; may be empty
 void put_results(Update& update, const fs::path& root, const fs::path& place, const fs::path& candidate) {
   const FileIdentities read = read_settled(candidate, kResultFiles, update.watch, [&](const Snapshot& snapshot) {
@@ -123,7 +136,19 @@ void put_results(Update& update, const fs::path& root, const fs::path& place, co
     require_whole(candidate, copied, input::read_regular_file(staged, staged, {"summary", false, 64}));
   });
   update.read.insert(update.read.end(), read.begin(), read.end());
-  put_notes(update, root, place);
+  put_notes_of_change(update, root, place, kResultFiles);
+}
+
+/// Whether two compact references differ in their history alone.
+bool say_the_same(const std::string& one, const std::string& other) {
+  const auto content = [](const std::string& text) {
+    Json json = Json::parse(text, nullptr, false);
+    if (json.is_object())
+      for (const char* key : {"history", "checksum"}) json.erase(key);
+    return json;
+  };
+  const Json a = content(one);
+  return a.is_object() && a == content(other);
 }
 
 /// @param text  gets the compact reference that is made of the results   @returns the files of which it is made
@@ -133,6 +158,9 @@ FileIdentities make_compact(const fs::path& reference, const fs::path& candidate
   return read_settled(candidate, kResultFiles, watch, [&](const Snapshot&) {
     require_sound(candidate, watch);
     text = compact_reference(open_comparand(candidate, nullptr), history, reason);
+    if (!is_there(reference)) return;
+    const std::string last = input::read_regular_file(reference.string(), reference.string(), {"reference", false, 64});
+    if (seal_of(last) != Seal::broken && say_the_same(last, text)) text = last;
   });
 }
 
@@ -171,7 +199,11 @@ void put_study(Update& update, const fs::path& root, const fs::path& place, cons
   write_study_results(staged, update.watch);
   for (const std::string_view file : kStudyFiles)
     if (!is_there(update.next.staged(place / file))) update.next.remove(place / file);
-  put_notes(update, root, place);
+  if (update.next.changes(place / name))
+    put_notes(update, root, place);
+  else
+    put_notes_of_change(update, root, place, kStudyFiles);
+  update.has_changed = update.has_changed || update.next.changes(place / name);
 }
 
 /// Refuses a place that cannot become a reference of this kind: it may be missing, empty, or a reference of the kind already.
@@ -199,26 +231,30 @@ void put_one(Update& update, const fs::path& root, const fs::path& place, const 
     std::string text;
     const FileIdentities read = make_compact(root / place, candidate, update.reason, update.watch, text);
     update.next.put(place, [&](const FileSet::Sink& sink) { sink(text); });
+    update.has_changed = update.next.changes(place);
     update.read.insert(update.read.end(), read.begin(), read.end());
   } else {
     put_results(update, root, place, candidate);
   }
 }
 
-/// Replaces a compact reference, which is one file.
-void update_compact(const fs::path& reference, const fs::path& candidate, const std::string& reason, const Watch& watch) {
+/// Replaces a compact reference, which is one file. @returns whether it has changed
+bool update_compact(const fs::path& reference, const fs::path& candidate, const std::string& reason, const Watch& watch) {
   const FileIdentity before = identity_of(reference);
   std::string next;
   make_compact(reference, candidate, reason, watch, next);
+  if (is_there(reference) && input::read_regular_file(reference.string(), reference.string(), {"reference", false, 64}) == next)
+    return false;
   write_file(reference, [&] {
     if (identity_of(reference) != before) refuse_file(reference, "has been changed in the meantime; repeat the command");
     return next;
   });
+  return true;
 }
 
-/// Replaces a directory that is one reference. @returns its path
-fs::path update_directory(const fs::path& reference, const fs::path& given, ComparandKind kind, const std::string& reason,
-                          const Watch& watch) {
+/// Replaces a directory that is one reference. @returns its path, and whether it has changed
+std::pair<fs::path, bool> update_directory(const fs::path& reference, const fs::path& given, ComparandKind kind,
+                                           const std::string& reason, const Watch& watch) {
   fs::path root = reference, candidate = given;
   if (kind == ComparandKind::store) {
     const bool is_file = input::type_of(given.string()) != input::PathType::directory;
@@ -230,15 +266,15 @@ fs::path update_directory(const fs::path& reference, const fs::path& given, Comp
   }
   require_kind(root, kind);
   Replacement next(root, watch);
-  Update update{next, reason, watch, {}};
+  Update update{next, reason, watch, {}, false};
   put_one(update, root, {}, candidate, kind);
   next.commit();
-  return root;
+  return {root, update.has_changed};
 }
 
 /// Replaces all references of a directory for which there are new results, and adds those that it has not.
 std::vector<std::string> update_collection(const fs::path& reference, const fs::path& candidate, const std::string& reason,
-                                           const Watch& watch) {
+                                           const Watch& watch, std::vector<std::string>& unchanged) {
   const input::PathType type = input::type_of(reference.string());
   const bool holds_many =
       type == input::PathType::directory && !is_there(reference / "summary.json") && !is_there(study_store(reference));
@@ -250,6 +286,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
     fs::path place, candidate;
     ComparandKind kind;
     FileIdentities read = {};
+    bool has_changed = true;
   };
   std::vector<Member> all;
   std::vector<std::string> written;
@@ -258,7 +295,6 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
     if (kind != ComparandKind::results && kind != ComparandKind::store) refuse_as_reference(path);
     fs::path place = name;
     if (kind == ComparandKind::results && !is_there(reference / place)) place += ".json";
-    written.push_back((reference / place).string());
     all.push_back({place, path, kind});
   }
   // A result that has been rewritten since it was read is read again, until all of them have been there together.
@@ -268,14 +304,16 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
     has_changed = false;
     for (Member& member : all) {
       if (!member.read.empty() && are_current(member.read)) continue;
-      Update update{next, reason, watch, {}};
+      Update update{next, reason, watch, {}, false};
       put_one(update, reference, member.place, member.candidate, member.kind);
       member.read = std::move(update.read);
+      member.has_changed = update.has_changed;
       has_changed = true;
     }
   }
   if (has_changed) refuse_under_way(candidate);
   next.commit();
+  for (const Member& member : all) (member.has_changed ? written : unchanged).push_back((reference / member.place).string());
   return written;
 }
 
@@ -283,7 +321,7 @@ std::vector<std::string> update_collection(const fs::path& reference, const fs::
 }  // namespace compare
 
 std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
-                                          const std::string& reason, const Watch& watch) {
+                                          const std::string& reason, const Watch& watch, std::vector<std::string>* unchanged) {
   using namespace compare;
   if (reason.find_first_not_of(" \t\r\n") == std::string::npos)
     throw ScenarioError("", "a new reference needs a reason; give one with --reason TEXT");
@@ -293,16 +331,22 @@ std::vector<std::string> update_reference(const std::filesystem::path& reference
   if (const FileIdentity there = identity_of(reference);
       there.inode != 0 && there.inode == identity_of(candidate).inode && there.device == identity_of(candidate).device)
     refuse_file(candidate, "is the reference itself; give new results");
-  if (kind == ComparandKind::collection) return update_collection(reference, candidate, reason, watch);
+  std::vector<std::string> same;
+  std::vector<std::string>& kept = unchanged != nullptr ? *unchanged : same;
+  if (kind == ComparandKind::collection) return update_collection(reference, candidate, reason, watch, kept);
   if (kind != ComparandKind::results && kind != ComparandKind::store) {
     require_sound(candidate, watch);
     refuse_as_reference(candidate);
   }
   if (kind == ComparandKind::results && reference.extension() == ".json") {
-    update_compact(reference, candidate, reason, watch);
-    return {reference.string()};
+    if (update_compact(reference, candidate, reason, watch)) return {reference.string()};
+    kept.push_back(reference.string());
+    return {};
   }
-  return {update_directory(reference, candidate, kind, reason, watch).string()};
+  const auto [root, has_changed] = update_directory(reference, candidate, kind, reason, watch);
+  if (has_changed) return {root.string()};
+  kept.push_back(root.string());
+  return {};
 }
 
 }  // namespace earthtop

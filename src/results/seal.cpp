@@ -96,8 +96,7 @@ bool check_seal(std::string_view document, const std::filesystem::path& file, st
 }
 
 std::string unverified(const std::filesystem::path& path) {
-  return fmt::format("{} has no checksums, since an older earthtop wrote it: damage to it would go unnoticed",
-                     printable(path.string()));
+  return fmt::format("{} has no checksums: damage to it would go unnoticed", printable(path.string()));
 }
 
 FileChecksums checksums_in(std::string_view summary, const std::filesystem::path& file) {

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -54,6 +55,27 @@ std::string refusal(const std::function<void()>& action) {
 void expect_said(const std::function<void()>& action, const std::string& words) {
   const std::string said = refusal(action);
   EXPECT_NE(said.find(words), said.npos) << said;
+}
+
+/// Writes results that are not those of ShortRun.
+void write_shorter_run(const fs::path& directory) {
+  const Overrides shorter = {{"/motion/duration_s", "5"}};
+  write_results(run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS) + "/toy-top.json"), shorter)),
+                directory, false);
+}
+
+/// Where a file is on disk, and when it was last written.
+struct Stamp {
+  ino_t inode;
+  time_t s;
+  long ns;
+  bool operator==(const Stamp&) const = default;
+};
+
+Stamp stamp(const fs::path& file) {
+  struct stat status = {};
+  EXPECT_EQ(::stat(file.c_str(), &status), 0) << file;
+  return {status.st_ino, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
 /// Holds a file or directory, as another process does.
@@ -284,11 +306,12 @@ TEST(Update, AReferenceThatChangesMeanwhileIsNotOverwritten) {
   const TemporaryDirectory dir;
   const fs::path reference = dir.path() / "references/top.json";
   update_reference(reference, ShortRun::get().path(), "one");
+  write_shorter_run(dir.path() / "new");
   std::string said;
   for (std::chrono::milliseconds wait(100); said.empty() && wait < std::chrono::seconds(8); wait *= 2) {
     auto other = std::make_unique<Holder>(reference.parent_path());  // which the update waits for before it writes
     auto update = std::async(std::launch::async,
-                             [&] { return refusal([&] { update_reference(reference, ShortRun::get().path(), "two"); }); });
+                             [&] { return refusal([&] { update_reference(reference, dir.path() / "new", "two"); }); });
     std::this_thread::sleep_for(wait);
     write_text(reference, read_text(reference));
     other.reset();
@@ -333,6 +356,62 @@ TEST(Update, SeveralReferencesChangeTogether) {
   EXPECT_THROW(update_reference(references, several, "three"), ScenarioError);
   EXPECT_EQ(contents(references), before);
   EXPECT_THROW(update_reference(references, references, "three"), ScenarioError);
+}
+
+TEST(Update, FilesWithTheSameContentAreNotTouched) {
+  const TemporaryDirectory directory;
+  const fs::path root = directory.path() / "reference";
+  {
+    Replacement first(root);
+    put(first, "a/same", "1");
+    put(first, "a/other", "1");
+    put(first, "same", "1");
+    first.commit();
+  }
+  const Stamp nested = stamp(root / "a/same"), top = stamp(root / "same"), other = stamp(root / "a/other");
+  {
+    Replacement next(root);
+    put(next, "a/same", "1");
+    put(next, "a/other", "2");
+    put(next, "same", "1");
+    EXPECT_FALSE(next.changes("a/same"));
+    EXPECT_TRUE(next.changes("a/other"));
+    next.commit();
+  }
+  EXPECT_EQ(stamp(root / "a/same"), nested);
+  EXPECT_EQ(stamp(root / "same"), top);
+  EXPECT_NE(stamp(root / "a/other"), other);
+  EXPECT_EQ(read_text(root / "a/other"), "2");
+  EXPECT_FALSE(fs::exists(root / compare::kStagingName));
+}
+
+TEST(Update, OfSeveralReferencesRewritesThoseThatChange) {
+  const TemporaryDirectory directory;
+  const fs::path now = directory.path() / "new", root = directory.path() / "reference";
+  fs::create_directories(now);
+  for (const char* name : {"a", "b", "c"}) fs::copy(ShortRun::get().path(), now / name);
+  fs::create_directories(root);
+  fs::create_directories(root / "c");
+  update_reference(root / "c", now / "c", "first");  // a directory; the others become compact references
+  EXPECT_EQ(update_reference(root, now, "first").size(), 2U);
+  const std::map<std::string, std::string> before = contents(root);
+  std::map<std::string, Stamp> stamps;
+  for (const auto& [name, text] : before) stamps.emplace(name, stamp(root / name));
+
+  std::vector<std::string> unchanged;
+  EXPECT_TRUE(update_reference(root, now, "again", {}, &unchanged).empty());
+  EXPECT_EQ(unchanged.size(), 3U);
+  EXPECT_EQ(contents(root), before);
+  for (const auto& [name, last] : stamps) EXPECT_EQ(stamp(root / name), last) << name;
+
+  fs::remove_all(now / "b");
+  write_shorter_run(now / "b");
+  unchanged.clear();
+  const std::vector<std::string> written = update_reference(root, now, "another spin", {}, &unchanged);
+  EXPECT_EQ(written, std::vector<std::string>{(root / "b.json").string()});
+  EXPECT_EQ(unchanged.size(), 2U);
+  for (const auto& [name, last] : stamps) EXPECT_EQ(stamp(root / name) == last, name != "b.json") << name;
+  EXPECT_NE(read_text(root / "b.json").find("another spin"), std::string::npos);
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ def test_what_has_no_page(results, tmp_path):
     with pytest.raises(et.ScenarioError, match="nothing-there"):
         et.report(tmp_path / "nothing-there")
     (tmp_path / "data.csv").write_text("1\n")
-    with pytest.raises(et.ScenarioError, match="not as earthtop report wrote it; give another name, or force=True"):
+    with pytest.raises(et.ScenarioError, match="not as earthtop.report wrote it; give another name, or force=True"):
         et.report(results[0], tmp_path / "data.csv")
     assert (tmp_path / "data.csv").read_text() == "1\n"
     with pytest.raises(et.FileError):

@@ -205,7 +205,7 @@ TEST_F(Damage, ThatWouldGoUnnoticedIsNoted) {
     EXPECT_EQ(page.html.find("<p class=\"note\">Note: ") != std::string::npos, !found.empty());
     return found;
   };
-  const std::string words = " has no checksums, since an older earthtop wrote it: damage to it would go unnoticed";
+  const std::string words = " has no checksums: damage to it would go unnoticed";
   write_results(test::made_up_run(), dir_, false);
   const std::string good = read(dir_ / "summary.json");
   EXPECT_TRUE(notes().empty());

@@ -51,6 +51,7 @@ class Case:
         status, text = self._run(program, self.set)
         found = [] if status == self.status else [f"status {status} instead of {self.status}"]
         found += [f"not said: {one}" for one in self.expected() if one not in text]
+        found += [f"two ends of a sentence: {one}" for one in re.findall(r"[^.]{0,40}[?!]\.(?!\S)", text)]
         if not found and self.holds and not self.holds(text):
             found.append("the numbers do not hold")
         if self.unless is not None:

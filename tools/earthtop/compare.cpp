@@ -68,12 +68,15 @@ CompareOptions options_of(const CompareArguments& arguments) {
 
 int update_verb(const CompareArguments& arguments) try {
   const OrderlyEnd orderly;
+  std::vector<std::string> unchanged;
   const std::vector<std::string> written =
-      update_reference(arguments.reference, arguments.candidate, arguments.reason, Watch(stop_flag()));
+      update_reference(arguments.reference, arguments.candidate, arguments.reason, Watch(stop_flag()), &unchanged);
   if (arguments.json)
-    print_json(JsonObject().put("written", written).put("reason", arguments.reason));
-  else if (!arguments.quiet)
+    print_json(JsonObject().put("written", written).put("unchanged", unchanged).put("reason", arguments.reason));
+  else if (!arguments.quiet) {
     for (const std::string& path : written) print(fmt::format("new reference: {}\n", printable(path)));
+    for (const std::string& path : unchanged) print(fmt::format("unchanged: {}\n", printable(path)));
+  }
   return kDone;
 } catch (const Interrupted&) {
   return report_interruption(arguments.json);

@@ -170,8 +170,7 @@ void print_results(const fs::path& store, bool json, bool quiet) {
 
 void warn_of_missing_checksums(const fs::path& store, bool has_checksums) {
   if (!has_checksums)
-    message(fmt::format("{} was made by an older earthtop and has no checksums, so damage to it would not be noticed",
-                        printable(store.string())));
+    message(fmt::format("{} has no checksums, so damage to it would not be noticed", printable(store.string())));
 }
 
 /// What an older store gave to a study, and why it gave no more.

@@ -45,3 +45,17 @@ if [[ ! -x $venv/bin/python ]]; then "$python" -m venv --system-site-packages "$
 "$venv/bin/python" -c 'import earthtop; print("earthtop", earthtop.__version__, "for Python is installed in", earthtop.__path__[0])'
 echo "The wheel:  $root/$wheel"
 echo "To use it:  source $venv/bin/activate && python -c 'import earthtop as et; print(et.run(et.example(\"toy-top\")))'"
+
+# A notebook names the kernel python3, which elsewhere is the Python of the system: this one is the Python that has the package.
+kernels=$venv/share/jupyter/kernels/python3
+mkdir -p "$kernels"
+"$venv/bin/python" - "$kernels/kernel.json" <<'END'
+import json, sys
+kernel = {"argv": [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"], "display_name": "Python 3 (earthtop)", "language": "python"}
+with open(sys.argv[1], "w", encoding="utf-8") as file:
+    json.dump(kernel, file, indent=1)
+END
+echo "A notebook: JUPYTER_PATH=$venv/share/jupyter $venv/bin/python -m notebook $root/tools/python/examples/first_run.ipynb"
+if ! "$venv/bin/python" -c 'import importlib.util as u, sys; sys.exit(not (u.find_spec("notebook") and u.find_spec("ipykernel")))'; then
+  echo "            which needs notebook and ipykernel (Debian: python3-notebook, python3-ipykernel)"
+fi

@@ -196,10 +196,13 @@ Figure comparison_figure(const CompareReport& report);
 /// (FILE.json, or a directory of them) by figures and eleven rows of the new results. All references of a directory change
 /// together or not at all: what a killed update left is completed, or removed if it had changed nothing, by the next
 /// one and by the next comparison with the reference. Runs that write new results meanwhile are waited for.
-/// @param reason  kept in the reference   @returns what was written
+/// Files whose content is the same are not touched, and a reference in which nothing else would change gets no reason.
+/// @param reason  kept in the references that change   @param unchanged  gets those that stay as they are
+/// @returns the references that were written
 /// @throws ScenarioError for input that cannot be a reference, or that goes on changing; ReadError, WriteError; Interrupted
 std::vector<std::string> update_reference(const std::filesystem::path& reference, const std::filesystem::path& candidate,
-                                          const std::string& reason, const Watch& watch = {});
+                                          const std::string& reason, const Watch& watch = {},
+                                          std::vector<std::string>* unchanged = nullptr);
 
 /// JSON Schema (draft 7) of a mapping file and of a tolerance file, and every key of them as a Markdown table.
 std::string mapping_schema();

@@ -117,7 +117,7 @@ def comparison(**members):
 OF_PATHS = [
     *told(["c.json: error: is damaged: its contents are not what was written; write it anew; if you have changed it yourself, remove its "
            'member "checksum"'], comparison(checksum="0123456789abcdef"), 2, comparison(), command="report c.json"),
-    *told("note: c.json has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", comparison(), 0,
+    *told("note: c.json has no checksums: damage to it would go unnoticed", comparison(), 0,
           command="report c.json"),
     *told("c.json: error: /least_p_value: is 1.1757, but must be a probability, from 0 to 1: the file is not as earthtop wrote it; "
           "write it anew", comparison(least_p_value=1.1757), 2, comparison(least_p_value=0.17), command="report c.json"),
@@ -198,7 +198,7 @@ OF_SCENARIOS = [
           both(), 0, both(old={"drift": {"axis_max_at_s": None}}, drift={"axis_max_at_s": None}), command=PAIR + " --all"),
     *told("note: and 10 more notes of this kind", {key: text for i in range(9) for old in ("old", "new")
                                                    for key, text in results(f"{old}/{i}").items()}, 0, both()),
-    *told("new has no checksums, since an older earthtop wrote it: damage to it would go unnoticed", both(), 0,
+    *told("new has no checksums: damage to it would go unnoticed", both(), 0,
           command=PAIR + " --all"),
 ]
 

@@ -11,11 +11,11 @@
 namespace earthtop::python {
 namespace {
 
-/// Raises the exception class of that name in earthtop._errors, which makes it from these arguments.
+/// Raises the exception that a class or function of that name in earthtop._errors makes from these arguments.
 template <class... Arguments>
 void raise(const char* name, const Arguments&... arguments) {
-  const py::object type = py::module_::import("earthtop._errors").attr(name);
-  PyErr_SetObject(type.ptr(), type(arguments...).ptr());
+  const py::object exception = py::module_::import("earthtop._errors").attr(name)(arguments...);
+  PyErr_SetObject(py::type::of(exception).ptr(), exception.ptr());
 }
 
 py::object known(int number) { return number > 0 ? py::object(py::int_(number)) : py::none(); }
@@ -35,13 +35,13 @@ void bind_errors(py::module_&) {
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const ScenarioError& error) {
-      raise("ScenarioError", findings(error.file(), error.diagnostics()));
+      raise("refused", findings(error.file(), error.diagnostics()));
     } catch (const FileError& error) {
-      raise("FileError", error.file(), error.reason());
+      raise("file_failed", error.file(), error.reason());
     } catch (const ArithmeticError& error) {
       raise("ArithmeticError", std::string(error.what()));
     } catch (const std::filesystem::filesystem_error& error) {
-      raise("FileError", error.path1().string(), error.code().message());
+      raise("file_failed", error.path1().string(), error.code().message());
     } catch (const std::bad_alloc& error) {
       PyErr_SetString(PyExc_MemoryError, plain_words(error).c_str());
     } catch (const py::builtin_exception&) {  // the following are left to pybind11

@@ -13,7 +13,7 @@ North, Up), B the body, N the inertial axes that coincide with L at the release.
 
 from . import closed_form
 from ._core import version as __version__
-from ._errors import ArithmeticError, Error, FileError, Finding, ScenarioError, UnverifiedWarning
+from ._errors import ArithmeticError, Error, FileError, Finding, MissingFileError, ScenarioError, UnverifiedWarning
 from ._arrays import Arrays
 from ._compare import Comparison, compare
 from ._documents import Document
@@ -25,6 +25,7 @@ from ._result import Drift, Result, load_result
 from ._run import run
 from ._scenario import Check, Scenario, check, example, examples, load
 from ._study import load_study, study
+from ._table import table
 
 __all__ = [
     "ArithmeticError",
@@ -38,6 +39,7 @@ __all__ = [
     "FileError",
     "Finding",
     "Fit",
+    "MissingFileError",
     "Plan",
     "ReleasesFit",
     "Result",
@@ -60,4 +62,5 @@ __all__ = [
     "run",
     "simulate_measurement",
     "study",
+    "table",
 ]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Dict, Mapping, Optional, Sequence, Union
 
 from . import _core
 from ._documents import Document, errors_named, plain_json, renamed, table
-from ._errors import warn
+from ._errors import as_arguments, warn
 from ._progress import Progress, Reporter
 from ._result import Result
 from ._scenario import pointer_of
@@ -83,6 +83,7 @@ class Comparison(Document):
             if pair["common_end_s"] is not None:
                 lines.append(f"{name}compared up to t = {_short(pair['common_end_s'])} s, the end of the shorter run")
         most = 20
+        lines = [as_arguments(line) for line in lines]
         return lines if len(lines) <= most else [*lines[:most], f"and {len(lines) - most} more"]
 
 

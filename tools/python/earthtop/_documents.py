@@ -6,7 +6,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import re
 from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
@@ -52,6 +51,14 @@ class Document(Pickled):
 
     def __getstate__(self) -> Dict[str, Any]:
         return {**self.__dict__, "_document": None}
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both are of one kind and say the same."""
+        if not isinstance(other, Document):
+            return NotImplemented
+        return type(self) is type(other) and self.document == other.document
+
+    __hash__ = None  # type: ignore[assignment]
 
     def _headline(self) -> str:
         return type(self).__name__
@@ -146,30 +153,9 @@ def plain_json(value: Any, what: str) -> str:
         raise refuse(f"{what}: {error}; numbers must be finite") from None
 
 
-_ARGUMENTS = {
-    "--allow-change": "may_change",
-    "--allow-missing": "may_lack_rows=True",
-    "--correlation-time": "correlation_time_s",
-    "--every": "every_s",
-    "--force": "force=True",
-    "--free-start": "free_start=True",
-    "--keep-going": "keep_going=True",
-    "--priors": "priors=True",
-    "--set": "--set",  # the place that findings name for changed values, as of the program
-    "--sigma": "measure",
-    "--until": "until_s",
-    "--write-data": "simulate_measurement",
-}
-_OPTION = re.compile(r"(?<![\w-])--[a-z]+(-[a-z]+)*")
-
-
-def _as_arguments(text: str) -> str:
-    return _OPTION.sub(lambda found: _ARGUMENTS.get(found[0], found[0][2:].replace("-", "_")), text)
-
-
 @contextlib.contextmanager
 def errors_named(names: Optional[Mapping[str, str]] = None) -> Iterator[None]:
-    """Raises errors in the words of the package: options of the program become arguments, temporary files what they stand for.
+    """Raises errors in which temporary files are called what they stand for.
 
     Parameters
     ----------
@@ -178,12 +164,12 @@ def errors_named(names: Optional[Mapping[str, str]] = None) -> Iterator[None]:
     """
 
     def changed(text: str) -> str:
-        return _as_arguments(renamed(text, names or {}))
+        return renamed(text, names or {})
 
     try:
         yield
     except ScenarioError as error:
-        raise ScenarioError([
+        raise type(error)([
             Finding(changed(one.path), one.line, one.column, changed(one.pointer), changed(one.message), changed(one.text))
             for one in error.findings
         ]) from None

@@ -36,7 +36,7 @@ class Pickled:
 
     def __setstate__(self, state: Any) -> None:
         """Pickles of earthtop 1.0 come here."""
-        warnings.warn("the pickle has no checksum, since an older earthtop wrote it: damage to it would go unnoticed",
+        warnings.warn("the pickle has no checksum: damage to it would go unnoticed",
                       UnverifiedWarning, stacklevel=2)
         self._restore(state)
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _core
 from ._arrays import ROW_KINDS, TORQUE_KINDS, Arrays, Kind, Quantity, quantities_of, read_only
+from ._documents import errors_named
 from ._errors import refuse, warn
 from ._html import html_of
 from ._pickles import Pickled
@@ -21,6 +22,7 @@ from ._scenario import Scenario
 if TYPE_CHECKING:
     import matplotlib.axes
     import pandas
+    import scipy.spatial.transform
 
 FILES = ("trajectory.csv", "torques.csv", "summary.json", "timing.json", "drift.svg")
 
@@ -89,7 +91,9 @@ class Drift(Arrays):
         return super().__getattr__(name)
 
     def __dir__(self) -> List[str]:
-        return sorted({*super().__dir__(), *self._numbers})
+        """What there is for this result; quantities of other tops are left out."""
+        absent = {name for name in Drift.__annotations__ if name not in self._by_name}
+        return sorted(({*super().__dir__()} - absent) | {*self._numbers})
 
 
 class Result(Pickled):
@@ -180,6 +184,19 @@ class Result(Pickled):
             raise AttributeError(f"this result has no {name!r}, which only other tops have: on a table, with a rotor or in gimbals")
         raise AttributeError(f"a result has no {name!r}; print(result.rows) lists the quantities of its rows")
 
+    def __dir__(self) -> List[str]:
+        """What there is for this result; quantities of other tops are left out."""
+        return sorted({*super().__dir__()} - {name for name in Result.__annotations__ if name not in self.rows})
+
+    def __eq__(self, other: object) -> bool:
+        """Whether they hold the same: rows, torques and summary, to the last digit. When and where they were computed is not asked."""
+        if not isinstance(other, Result):
+            return NotImplemented
+        return self is other or (self.summary == other.summary and all(
+            self._files[name] == other._files[name] for name in ("trajectory.csv", "torques.csv")))
+
+    __hash__ = None  # type: ignore[assignment]
+
     # What it says -----------------------------------------------------------------------------------------------------
 
     @property
@@ -235,6 +252,24 @@ class Result(Pickled):
             for i, column in enumerate(one.columns):
                 columns[column] = array if array.ndim == 1 else array[:, i]
         return pandas.DataFrame(columns).set_index("t_s")
+
+    def rotation(self) -> "scipy.spatial.transform.Rotation":
+        """The attitudes of the rows as one Rotation of SciPy, made of ``q_LB``.
+
+        It maps vectors of the body B to the laboratory L: ``r.rotation().apply([0, 0, 1])`` is ``r.axis_L``. SciPy puts the scalar of
+        a quaternion last, and holds doubles: extended precision is rounded.
+
+        Raises
+        ------
+        ImportError
+            if SciPy is not installed
+        """
+        try:
+            from scipy.spatial.transform import Rotation
+        except ImportError as error:
+            raise ImportError("Result.rotation needs SciPy, which is not installed (pip install scipy; Debian: python3-scipy); "
+                              "Result.q_LB has the quaternions (w, x, y, z) without it") from error
+        return Rotation.from_quat(np.roll(np.asarray(self.q_LB, dtype=float), -1, axis=1))
 
     def plot(self, quantity: str = "drift_axis_rad", ax: Optional["matplotlib.axes.Axes"] = None,
              **options: Any) -> "matplotlib.axes.Axes":
@@ -317,11 +352,12 @@ class Result(Pickled):
             the directory
         """
         place = Path(directory)
-        if self._run is not None:
-            self._run.write(place, force)
-            return place
-        texts = {name: text for name, text in self.__getstate__().items() if text is not None}
-        _core.write_result_texts(texts, self.scenario.scene(), place, force)
+        with errors_named({"choose another out": "choose another directory"}):
+            if self._run is not None:
+                self._run.write(place, force)
+                return place
+            texts = {name: text for name, text in self.__getstate__().items() if text is not None}
+            _core.write_result_texts(texts, self.scenario.scene(), place, force)
         return place
 
     def __getstate__(self) -> Dict[str, Optional[str]]:
@@ -374,7 +410,7 @@ def load_result(directory: Union[str, os.PathLike]) -> Result:
     ScenarioError
         if it holds no results, or a file is not what was written, which its checksum tells
     FileError
-        if a file cannot be read
+        if a file or the directory is missing or cannot be read
     """
     texts, notes = _core.read_result_texts(os.fspath(directory))
     warn(notes)

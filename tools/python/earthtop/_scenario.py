@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
 
 from . import _core
-from ._errors import Finding, ScenarioError, refuse
+from ._errors import Finding, ScenarioError, in_python, refuse
 
 ScenarioLike = Union["Scenario", Mapping, str, os.PathLike]
 
@@ -175,7 +175,7 @@ class Scenario:
         if self._scene is None:
             scene, _, errors, _ = _core.examine(self._path, self._text, list(self._changes.items()))
             if scene is None:
-                raise ScenarioError(errors)
+                raise ScenarioError([in_python(one) for one in errors])
             self._scene = scene
         return self._scene
 
@@ -256,7 +256,7 @@ class Scenario:
 
 
 def load(path: Union[str, os.PathLike]) -> Scenario:
-    """Reads a scenario file. ScenarioError if it is refused, FileError if it cannot be read."""
+    """Reads a scenario file. ScenarioError if it is refused, FileError if it is missing or cannot be read."""
     name, text = _core.read_scenario(os.fspath(path))
     return Scenario(text, path=name)
 
@@ -313,4 +313,4 @@ def check(what: ScenarioLike) -> Check:
         except ScenarioError as error:
             return Check(error.findings, (), len(error.findings))
     _, count, errors, warnings = _core.examine(path, text, changes)
-    return Check(tuple(Finding(*one) for one in errors), tuple(Finding(*one) for one in warnings), count)
+    return Check(tuple(map(in_python, errors)), tuple(map(in_python, warnings)), count)
