@@ -109,6 +109,23 @@ def test_warnings_are_at_the_line_of_the_call(r, tmp_path):
             (__file__, line) for line in range(call.__code__.co_firstlineno, call.__code__.co_firstlineno + 2)}
 
 
+def test_findings_of_changed_scenarios_are_at_the_line_of_the_call(tmp_path):
+    top = et.example("toy-top")
+    bursting = top.changed(spin_rad_s=1e9)
+    checked, line = et.check(bursting), sys._getframe().f_lineno
+    finding = (checked.errors + checked.warnings)[0]
+    assert (finding.path, finding.line, finding.column, finding.pointer) == (__file__, line, None, "/body/inertia")
+    assert str(finding).startswith(f"{__file__}:{line}: ") and "toy-top.json" not in str(finding)
+    with pytest.raises(et.ScenarioError, match=re.escape(__file__)):
+        et.run(top.changed(precession="steady_slow", spin_rad_s=0))
+    # Without changes they are where they are in the file.
+    text = top.text.replace('"spin_rad_s": 200', '"spin_rad_s": 1e9')
+    (tmp_path / "top.json").write_text(text)
+    checked = et.check(tmp_path / "top.json")
+    in_file = (checked.errors + checked.warnings)[0]
+    assert in_file.path == str(tmp_path / "top.json") and in_file.line == text[:text.index('"inertia"')].count("\n") + 1
+
+
 @pytest.mark.parametrize("name", ["toy-top", "toy-top-on-table", "tumbling-gyrostat"])
 def test_dir_lists_what_there_is(name):
     r = et.run(et.example(name), duration_s=0.5)

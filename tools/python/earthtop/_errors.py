@@ -10,6 +10,7 @@ import re
 import sys
 import warnings
 from dataclasses import dataclass
+from types import FrameType
 from typing import Any, Iterable, Optional, Sequence, Tuple, Union
 
 
@@ -86,13 +87,19 @@ class ArithmeticError(Error, builtins.ArithmeticError):
 _PACKAGE = os.path.dirname(__file__)
 
 
-def warn(notes: Iterable[str]) -> None:
-    """Warns of what could not be verified, at the line outside the package that called it."""
-    level, frame = 2, sys._getframe(1)
+def _call_from_outside() -> Tuple[int, FrameType]:
+    """The frame outside the package that called it, and how many frames it lies above the function that asks."""
+    level, frame = 1, sys._getframe(2)
     while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == _PACKAGE:
         level, frame = level + 1, frame.f_back
+    return level, frame
+
+
+def warn(notes: Iterable[str]) -> None:
+    """Warns of what could not be verified, at the line outside the package that called it."""
+    level, _ = _call_from_outside()
     for note in notes:
-        warnings.warn(note, UnverifiedWarning, stacklevel=level)
+        warnings.warn(note, UnverifiedWarning, stacklevel=level + 1)
 
 
 def refuse(message: str, pointer: str = "") -> ScenarioError:
@@ -142,6 +149,23 @@ def in_python(one: Union[Finding, Tuple[Any, ...]]) -> Finding:
     if pointer.startswith("--"):
         head = head.replace(pointer, shown)
     return Finding(path, line, column, shown, said, head + said if head else as_arguments(text))
+
+
+def of_scenario(findings: Iterable[Tuple[Any, ...]], has_changes: bool) -> Tuple[Finding, ...]:
+    """The findings of a scenario. Those of one with changes made in Python are at the line that asked for them, since the line of its
+    file that they would name may say something else."""
+    said = tuple(in_python(one) for one in findings)
+    if not has_changes:
+        return said
+    _, frame = _call_from_outside()
+    path, line = frame.f_code.co_filename, frame.f_lineno
+    kind = re.compile("(error|warning): ")
+
+    def here(one: Finding) -> Finding:
+        found = kind.search(one.text)
+        return Finding(path, line, None, one.pointer, one.message, f"{path}:{line}: {one.text[found.start():] if found else one.text}")
+
+    return tuple(map(here, said))
 
 
 _MISSING = re.compile("^there is no such |^holds no results: it has no summary.json|^No such file or directory$")

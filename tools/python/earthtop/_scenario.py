@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
 
 from . import _core
-from ._errors import Finding, ScenarioError, in_python, refuse
+from ._errors import Finding, ScenarioError, of_scenario, refuse
 
 ScenarioLike = Union["Scenario", Mapping, str, os.PathLike]
 
@@ -175,7 +175,7 @@ class Scenario:
         if self._scene is None:
             scene, _, errors, _ = _core.examine(self._path, self._text, list(self._changes.items()))
             if scene is None:
-                raise ScenarioError([in_python(one) for one in errors])
+                raise ScenarioError(of_scenario(errors, bool(self._changes)))
             self._scene = scene
         return self._scene
 
@@ -313,4 +313,4 @@ def check(what: ScenarioLike) -> Check:
         except ScenarioError as error:
             return Check(error.findings, (), len(error.findings))
     _, count, errors, warnings = _core.examine(path, text, changes)
-    return Check(tuple(map(in_python, errors)), tuple(map(in_python, warnings)), count)
+    return Check(of_scenario(errors, bool(changes)), of_scenario(warnings, bool(changes)), count)
