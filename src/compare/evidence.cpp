@@ -68,8 +68,6 @@ const Columns& predicted() {
   return columns;
 }
 
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return real::atan2(a.cross(b).norm(), a.dot(b)); }
-
 /// Collects samples: all of the first ones, and of the later ones as many as there is room for, evenly.
 class Collector {
  public:
@@ -107,8 +105,8 @@ void note_effect(const Row& row, Evidence& evidence) {
     return Columns::has(row, one, count) && Columns::has(row, other, count);
   };
   ByMeasure& effect = evidence.effect;
-  if (has(now.q, then.q, 4)) effect.attitude = std::max(effect.attitude, a.q.angularDistance(b.q));
-  if (has(now.axis, then.axis, 3)) effect.axis = std::max(effect.axis, angle_between(a.axis, b.axis));
+  if (has(now.q, then.q, 4)) effect.attitude = std::max(effect.attitude, turn_between(a.q, b.q));
+  if (has(now.axis, then.axis, 3)) effect.axis = std::max(effect.axis, angle_of(a.axis, b.axis));
   if (has(now.rates, then.rates, 3)) effect.rates = std::max(effect.rates, (a.rates - b.rates).norm());
   if (Columns::has(row, now.rates, 3)) evidence.largest_rate = std::max(evidence.largest_rate, a.rates.norm());
 }
@@ -133,6 +131,13 @@ void note_rounding(const RowSource& rows, const Mapping& mapping, Evidence& evid
 }
 
 }  // namespace
+
+double angle_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return real::atan2(a.cross(b).norm(), a.dot(b)); }
+
+double turn_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
+  const Eigen::Quaterniond turn = a.conjugate() * b;
+  return 2 * real::atan2(turn.vec().norm(), std::abs(turn.w()));
+}
 
 Evidence gather(const Comparand& reference, const Comparand& candidate, const Survey& known, const Mapping& mapping,
                 double time_factor, std::optional<double> until_s, const Watch& watch) {

@@ -19,6 +19,10 @@ struct SeenTop {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), rates = Eigen::Vector3d::Zero();
 };
 
+/// The angle between two directions, and that of the turn between two attitudes (rad).
+double angle_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+double turn_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b);
+
 /// Numbers that belong to attitude, axis and rates (rad, 1, rad/s).
 struct ByMeasure {
   double attitude = 0, axis = 0, rates = 0;

@@ -17,8 +17,6 @@ constexpr double kNearRelease = 1e-3;  // rad: attitudes at the release that wer
 
 }  // namespace
 
-double angle_of(const Vector3d& a, const Vector3d& b) { return real::atan2(a.cross(b).norm(), a.dot(b)); }
-
 Explainer::Explainer(const Evidence& evidence, const Mapping& mapping, const ByMeasure& tolerance,
                      const Eigen::Vector3d& rate_IL_L)
     : evidence_(evidence), tolerance_(tolerance), reader_(evidence, mapping, rate_IL_L), rate_unit_(mapping.rate_unit_rad_s) {}
@@ -33,7 +31,7 @@ ByMeasure Explainer::apart(const Reading& reading, const Tops& expected) const {
     if (there >= end) continue;
     const SeenTop top = reader_.read(i, reading);
     const SeenTop& other = expected[there];
-    if (evidence_.attitude) largest.attitude = std::max(largest.attitude, top.q.angularDistance(other.q));
+    if (evidence_.attitude) largest.attitude = std::max(largest.attitude, turn_between(top.q, other.q));
     if (evidence_.axis) largest.axis = std::max(largest.axis, angle_of(top.axis, other.axis));
     if (evidence_.rates) largest.rates = std::max(largest.rates, (top.rates - other.rates).norm());
   }
@@ -96,7 +94,7 @@ std::vector<Reading> Explainer::likely_readings() const {
   const auto distance = [&](const Reading& reading, std::size_t i) {
     const SeenTop top = reader_.read(i, reading);
     const SeenTop& there = evidence_.reference[i + static_cast<std::size_t>(reading.later)];
-    return evidence_.attitude ? top.q.angularDistance(there.q) : angle_of(top.axis, there.axis);
+    return evidence_.attitude ? turn_between(top.q, there.q) : angle_of(top.axis, there.axis);
   };
   const auto look_at = [&](const Reading& reading) {
     const std::size_t begin = reading.later < 0 ? 1 : 0;

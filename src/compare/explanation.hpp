@@ -25,8 +25,6 @@ inline constexpr double kAlike = 3;
 /// A mistake leaves at most this part of what there was, if it does not leave less than another program may differ by.
 inline constexpr double kExplainsMost = 1e-3;
 
-double angle_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
-
 class Explainer {
  public:
   /// @param tolerance  what another program may differ by   @param rate_IL_L  the Earth's rate in the laboratory (rad/s)

@@ -111,7 +111,7 @@ bool PhysicsSearch::predicts_reference() const {
   ByMeasure apart;
   for (std::size_t i = 0; i < tops->size(); ++i) {
     const SeenTop &a = (*tops)[i], &b = evidence_.reference[i];
-    if (evidence_.attitude) apart.attitude = std::max(apart.attitude, a.q.angularDistance(b.q));
+    if (evidence_.attitude) apart.attitude = std::max(apart.attitude, turn_between(a.q, b.q));
     if (evidence_.axis) apart.axis = std::max(apart.axis, angle_of(a.axis, b.axis));
     if (evidence_.rates) apart.rates = std::max(apart.rates, (a.rates - b.rates).norm());
   }
@@ -181,7 +181,7 @@ std::optional<PhysicsSearch::Fit> PhysicsSearch::fit(const Scenario& base, const
     Tops read;
     for (std::size_t i = 0; i < std::min(here->size(), beside->size()); ++i) {
       read.push_back(explainer_.reader().read(i, fit.explanation.reading));
-      const double far = evidence_.attitude ? read[i].q.angularDistance((*here)[i].q) : angle_of(read[i].axis, (*here)[i].axis);
+      const double far = evidence_.attitude ? turn_between(read[i].q, (*here)[i].q) : angle_of(read[i].axis, (*here)[i].axis);
       if (far > kFar_rad && i > 1) break;
     }
     const Eigen::VectorXd rest = residuals(read, *here, read.size());
@@ -248,7 +248,7 @@ std::optional<PhysicsSearch::Release> PhysicsSearch::as_released(const Reading& 
     ++differences;
     text += fmt::format("{}{} {:.8g} instead of {:.8g} {}", text.empty() ? "" : ", ", name, value, before, unit);
   };
-  const bool turned = evidence_.attitude ? top.q.angularDistance(reference.q) > same_rad : angle_of(now, then) > same_rad;
+  const bool turned = evidence_.attitude ? turn_between(top.q, reference.q) > same_rad : angle_of(now, then) > same_rad;
   if (turned) {
     const double tilt = tilt_deg(now), azimuth = azimuth_deg(now);
     const double least_deg = same_rad / kDegree;

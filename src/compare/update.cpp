@@ -113,10 +113,9 @@ template <class Names>
 void put_notes_of_change(Update& update, const fs::path& root, const fs::path& place, const Names& names) {
   const bool has_changed =
       std::any_of(std::begin(names), std::end(names), [&](const auto& name) { return update.next.changes(place / name); });
-  if (has_changed || !is_there(root / place / kNotes))
-    put_notes(update, root, place);
-  else
-    update.next.keep(place / kNotes);
+  const bool had_notes = is_there(root / place / kNotes);
+  put_notes(update, root, place);  // so that damaged ones are refused in any case
+  if (!has_changed && had_notes) update.next.keep(place / kNotes);
   update.has_changed = has_changed || update.next.changes(place / kNotes);
 }
 

@@ -69,6 +69,8 @@ constexpr auto kRangeRules = [] {
       {"rows", count},
       {"values", count},
       {"line", count},
+      {"compared_from", any},
+      {"compared_to", any},
       {"compared", count},
       {"violations", count},
       {"row_count", count},
