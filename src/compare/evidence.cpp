@@ -8,7 +8,7 @@
 #include "compare/interpolate.hpp"
 #include "compare/pairing.hpp"
 #include "earthtop/elementary.hpp"
-#include "earthtop/error.hpp"
+#include "earthtop/results/results.hpp"
 
 namespace earthtop::compare {
 namespace {

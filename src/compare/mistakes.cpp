@@ -113,7 +113,7 @@ constexpr Mistake kMistakes[] = {
      laboratory_taken_as_inertial},
     {"in which the rates at the release, which are inertial, were taken as relative to the laboratory",
      inertial_taken_as_laboratory},
-    {"of an Earth that turns once in a solar day (2 pi / 86400 s), and not in a sidereal one", solar_day},
+    {"of an Earth that turns once in a solar day (86400 s), and not in a sidereal one", solar_day},
     {"at a latitude in degrees that was taken as radians", latitude_in_radians},
     {"at the opposite latitude, in the other hemisphere", opposite_latitude},
     {"with an azimuth that was counted from East", azimuth_from_east},
@@ -126,12 +126,12 @@ bool has_angles(const Scene& scene) { return !scene.scenario().release.quaternio
 constexpr Suspect kSuspects[] = {
     {"gravity", "m/s^2", 0, [](const Scene& scene) { return std::optional(scene.site().gravity_m_s2); },
      [](Scenario& scenario, double value) { scenario.site.gravity_m_s2 = value; }},
-    {"the Earth's rate along Up (Omega sin latitude)", "rad/s", 0,
+    {"the Earth's rate times sin(latitude)", "rad/s", 0,
      [](const Scene& scene) { return scene.rotation_rate_rad_s() != 0 ? std::optional(earth_rate(scene).up) : std::nullopt; },
      [](Scenario& scenario, double value) {
        put_earth_rate(scenario, {earth_rate(Scene(scenario)).north, value});
      }},
-    {"the Earth's rate along North (Omega cos latitude)", "rad/s", 0,
+    {"the Earth's rate times cos(latitude)", "rad/s", 0,
      [](const Scene& scene) {
        return scene.rotation_rate_rad_s() != 0 ? std::optional(earth_rate(scene).north) : std::nullopt;
      },

@@ -12,6 +12,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/frames/earth.hpp"
+#include "earthtop/results/results.hpp"
 #include "scene/motion_alone.hpp"
 
 namespace earthtop::compare {
