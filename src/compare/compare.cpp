@@ -89,9 +89,8 @@ void append(RowsComparison&& rows, PairReport& report) {
 
 /// The fastest rate of the scene's motion; 0 where it is not known.
 double natural_rate(const Comparand& side) {
-  if (!side.has_summary() || !side.summary->contains("scenario")) return 0;
-  const ScenarioReport report = examine_scenario({"", written(side.summary->at("scenario")), false});
-  return report.scene ? report.scene->fastest_rate_rad_s() : 0;
+  const std::optional<Scene> scene = scene_of(side);
+  return scene ? scene->fastest_rate_rad_s() : 0;
 }
 
 /// Finds the sum of both sides' error bounds on the attitudes, where both are known.

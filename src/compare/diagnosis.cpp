@@ -10,6 +10,7 @@
 #include "compare/evidence.hpp"
 #include "compare/explanation.hpp"
 #include "compare/physics_search.hpp"
+#include "compare/tolerances.hpp"
 #include "earthtop/frames/earth.hpp"
 #include "text/json.hpp"
 #include "text/number_words.hpp"
@@ -17,7 +18,6 @@
 namespace earthtop::compare {
 namespace {
 
-constexpr double kPartOfEffect = 1e-3;  // differences below this part of the Earth's effect are those of another program
 constexpr double kLeast_rad = 1e-8, kWithoutEarth_rad = 1e-6;
 constexpr double kLeastOfRate = 1e-8, kWithoutEarthOfRate = 1e-6;  // of the largest rate
 constexpr double kSurely = 1e-3;          // a mistake that leaves no more needs no comparison with others
@@ -65,11 +65,9 @@ std::vector<std::string> explanations(const Explainer& explainer, const std::opt
 /// What another program may differ by, for each measure.
 ByMeasure tolerance_of(const Evidence& evidence, const RowsComparison& rows) {
   const bool has_effect = evidence.effect.attitude > 0 || evidence.effect.axis > 0;
-  const auto angle = [&](double effect) {
-    return has_effect ? std::max(kPartOfEffect * effect, kLeast_rad) : kWithoutEarth_rad;
-  };
+  const auto angle = [&](double effect) { return has_effect ? std::max(kOfEffect * effect, kLeast_rad) : kWithoutEarth_rad; };
   ByMeasure tolerance{angle(evidence.effect.attitude), angle(evidence.effect.axis),
-                      has_effect ? std::max(kPartOfEffect * evidence.effect.rates, kLeastOfRate * evidence.largest_rate)
+                      has_effect ? std::max(kOfEffect * evidence.effect.rates, kLeastOfRate * evidence.largest_rate)
                                  : kWithoutEarthOfRate * evidence.largest_rate};
   for (const QuantityVerdict& quantity : rows.quantities)
     for (const auto& [name, one] :
@@ -93,12 +91,12 @@ std::pair<double, std::vector<std::string>> time_unit(double file_last_s, double
   return {1, {}};
 }
 
+}  // namespace
+
 std::optional<Scene> scene_of(const Comparand& reference) {
   if (!reference.has_summary() || !reference.summary->contains("scenario")) return std::nullopt;
   return examine_scenario({"", written(reference.summary->at("scenario")), false}).scene;
 }
-
-}  // namespace
 
 std::vector<std::string> other_time_unit(const Comparand& reference, const Comparand& candidate, const Mapping& mapping,
                                          const CompareOptions& options) {

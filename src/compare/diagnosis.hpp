@@ -2,13 +2,18 @@
 /// Finds out which mistake another program's file was made with.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "compare/comparand.hpp"
 #include "compare/rows.hpp"
+#include "earthtop/scene/scene.hpp"
 
 namespace earthtop::compare {
+
+/// The scene of a result, as its summary states it; none without one.
+std::optional<Scene> scene_of(const Comparand& result);
 
 /// Sentences that name what explains the differences between a file and its reference: how the file's numbers are meant, a mistake in
 /// physics, a number that was another one, rounding; or that no single mistake does. Empty where the differences are as small as those

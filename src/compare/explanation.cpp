@@ -90,15 +90,17 @@ std::vector<Reading> Explainer::likely_readings() const {
     Reading reading;
   };
   std::vector<Likely> likely;
-  constexpr std::size_t kFirst = 20, kMost = 4;
+  constexpr std::size_t kFirst = 20, kMost = 4, kFewestShifted = 4;
+  if (!evidence_.attitude && !evidence_.axis) return {};
   const auto distance = [&](const Reading& reading, std::size_t i) {
     const SeenTop top = reader_.read(i, reading);
     const SeenTop& there = evidence_.reference[i + static_cast<std::size_t>(reading.later)];
     return evidence_.attitude ? turn_between(top.q, there.q) : angle_of(top.axis, there.axis);
   };
   const auto look_at = [&](const Reading& reading) {
-    const std::size_t begin = reading.later < 0 ? 1 : 0;
-    const std::size_t end = std::min(evidence_.in_a_row, kFirst) - (reading.later > 0 ? 1 : 0);
+    const std::size_t rows = std::min(evidence_.in_a_row, kFirst), begin = reading.later < 0 ? 1 : 0;
+    if (reading.later != 0 && rows < kFewestShifted) return;
+    const std::size_t end = reading.later > 0 ? rows - 1 : rows;
     if (begin >= end || distance(reading, begin) > kNearRelease) return;
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) sum += std::min(distance(reading, i), 1.0);

@@ -14,6 +14,7 @@
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/results/results.hpp"
 #include "scene/motion_alone.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::compare {
 namespace {
@@ -34,16 +35,6 @@ const Found& best_of(const std::vector<Found>& found) {
 double size_of(const Suspect& suspect, double value) {
   if (suspect.size > 0) return suspect.size;
   return value != 0 ? std::abs(value) : 1;
-}
-
-/// A number with the fewest digits that are the same within an error.
-std::string fewest_digits(double value, double error) {
-  constexpr int kMost = 9;
-  for (int digits = 1; digits < kMost; ++digits) {
-    std::string text = fmt::format("{:.{}g}", value, digits);
-    if (std::abs(std::stod(text) - value) <= error) return text;
-  }
-  return fmt::format("{:.{}g}", value, kMost);
 }
 
 double tilt_deg(const Vector3d& n) { return real::atan2(real::hypot(n.x(), n.y()), n.z()) / kDegree; }
@@ -218,7 +209,7 @@ std::vector<std::string> PhysicsSearch::fitted(const Scenario& base, const Readi
     const auto fit = this->fit(base, suspect, *from, reading);
     if (!fit || std::abs(fit->value - *from) < kLeastChange * size_of(suspect, *from)) continue;
     std::string text =
-        fmt::format("{} {} instead of {:.8g} {}", suspect.name, fewest_digits(fit->value, fit->sure), *from, suspect.unit);
+        fmt::format("{} {:.9g} instead of {:.8g} {}", suspect.name, meant_number(fit->value, fit->sure), *from, suspect.unit);
     if (before.empty()) note_nearest(fit->explanation, kExplainsMost, explains_all_but(text, fit->explanation));
     if (explains(fit->explanation, kExplainsMost)) found.push_back({std::move(text), fit->explanation});
   }

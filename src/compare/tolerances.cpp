@@ -17,7 +17,6 @@ namespace {
 
 using namespace input;
 
-constexpr double kOfEffect = 1e-3;        // part of the Earth's effect; a larger difference could hide the effect
 constexpr double kNoEffect = 1e-6;        // where there is no such effect: in rad, or as part of the quantity's size
 constexpr double kRoundingAngle = 1e-13;  // rad
 constexpr double kOrderOfMagnitude = 10;  // largest ratio of two errors

@@ -14,6 +14,8 @@ namespace earthtop::compare {
 
 /// A part of a quantity's size that rounding may change: thousands of roundings.
 inline constexpr double kRoundingOfSize = 1e-12;
+/// A part of the Earth's effect: a larger difference could hide the effect.
+inline constexpr double kOfEffect = 1e-3;
 
 /// A tolerance is the largest of: absolute; relative x the quantity's scale; effect x the Earth's effect on it; bounds x the
 /// sum of both error bounds.

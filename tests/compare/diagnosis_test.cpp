@@ -156,6 +156,17 @@ TEST(Diagnosis, SaysWhatDiffersAtTheRelease) {
       {"tilt 49 instead of 50 degrees; besides, the moment of inertia about body axis 3 0.000121 instead of 0.00012 kg m^2"});
 }
 
+/// Without rows in a row at the beginning none can be shifted.
+TEST(Diagnosis, NeedsRowsToFindThemShifted) {
+  const auto zero_first = [](std::vector<State>& rows) {
+    rows[0].q.coeffs().setZero();
+    for (std::size_t i = 1; i < rows.size(); ++i) rows[i].q = rows[i].q.conjugate();
+  };
+  const std::string text = said_of(nullptr, zero_first);
+  expect_said(text, {"1 of its 81 quaternions are zero"});
+  EXPECT_EQ(text.find("shifted"), text.npos) << text;
+}
+
 TEST(Diagnosis, SaysWhereNoSingleMistakeExplains) {
   const auto three = [](SmallEngine& e) { e.gravity = 9.83, e.moments[2] = 1.21e-4, e.earth_rate = 0; };
   EXPECT_EQ(said_of(three), "no single mistake explains this\n");
