@@ -23,7 +23,7 @@ constexpr double kLeastOfRate = 1e-8, kWithoutEarthOfRate = 1e-6;  // of the lar
 constexpr double kSurely = 1e-3;          // a mistake that leaves no more needs no comparison with others
 constexpr double kLeastRounding = 1e-12;  // rad, or of the rates: smaller differences are those of any computation
 
-/// What explains the differences, in sentences. @param now  the differences
+/// Finds what explains the differences, in sentences. @param now  the differences
 std::vector<std::string> explanations(const Explainer& explainer, const std::optional<Scene>& scene, const Explanation& now,
                                       const Watch& watch) {
   const Reader& reader = explainer.reader();
@@ -62,7 +62,7 @@ std::vector<std::string> explanations(const Explainer& explainer, const std::opt
   return has_physics ? std::vector<std::string>{"no single mistake explains this"} : std::vector<std::string>();
 }
 
-/// What another program may differ by, for each measure.
+/// Returns by how much another program may differ, for each measure.
 ByMeasure tolerance_of(const Evidence& evidence, const RowsComparison& rows) {
   const bool has_effect = evidence.effect.attitude > 0 || evidence.effect.axis > 0;
   const auto angle = [&](double effect) { return has_effect ? std::max(kOfEffect * effect, kLeast_rad) : kWithoutEarth_rad; };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What is left of the differences between a file and a motion if the file is read in some way.
+/// Compares a file, read in some way, with a motion.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct Explanation {
   double ratio = HUGE_VAL;  ///< the same in parts of what another program may differ by
 };
 
-/// What is left by two mistakes that a file does not tell apart differs by less than this factor.
+/// Two mistakes leave differences within this factor where a file does not tell them apart.
 inline constexpr double kAlike = 3;
 /// A mistake leaves at most this part of what there was, if it does not leave less than another program may differ by.
 inline constexpr double kExplainsMost = 1e-3;

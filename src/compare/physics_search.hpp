@@ -13,7 +13,7 @@
 
 namespace earthtop::compare {
 
-/// What a mistake that is known by name explains, and what it leaves.
+/// A mistake that is known by name: the sentence on it, and the differences that it leaves.
 struct NamedMistake {
   std::vector<std::string> sentences;  ///< none, or one
   double ratio = HUGE_VAL;
@@ -31,7 +31,7 @@ class PhysicsSearch {
   NamedMistake by_name(const Reading& reading);
   /// A mistake of the table in a file that may be read in these ways; else another release; else another number. One sentence, or none.
   std::vector<std::string> further(const std::vector<Reading>& readings);
-  /// What came nearest of all that was looked at, if it leaves little of what there was, though more than another program may differ by.
+  /// Returns the mistake that came nearest of all, if it leaves little of what there was, though more than another program may differ by.
   const NamedMistake& nearest() const { return nearest_; }
 
  private:

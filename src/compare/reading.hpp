@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the numbers of a file may have been meant to be, other than its mapping says.
+/// Reads a file's numbers otherwise than its mapping says.
 #pragma once
 
 #include <Eigen/Geometry>
