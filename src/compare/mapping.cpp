@@ -207,8 +207,8 @@ const std::vector<AxisTurn>& all_turns() {
 std::string world_words(const AxisTurn& turn) { return words_on(turn, kWorldNames, kWorldWords); }
 std::string body_words(const AxisTurn& turn) { return words_on(turn, kBodyNames, kBodyWords); }
 std::optional<NamedUnit> time_unit_for(double unit_s, double ratio) {
-  constexpr double kSameEnd = 0.05;  // a file may end a little earlier
-  return unit_for(kTimeUnits, unit_s / ratio, kSameEnd);
+  constexpr double kNearEnd = 0.05;  // a file may end a little earlier
+  return unit_for(kTimeUnits, unit_s / ratio, kNearEnd);
 }
 std::optional<NamedUnit> rate_unit_for(double unit_rad_s, double ratio) {
   constexpr double kSameRates = 1e-3;

@@ -52,6 +52,7 @@ class Changes {
 
 void add_single_points(study::Store& store, Json& data, const Watch& watch) {
   const Study& study = store.study();
+  const bool drawn = is_drawn(study.design.kind);  // what is drawn has no digits that were meant
   Changes changes(study);
   for (std::size_t i = 0; i < study.axes.size(); ++i) data["axes"][i]["values"] = Json::array();
   Json& points = data["points"] = Json::array();
@@ -59,7 +60,8 @@ void add_single_points(study::Store& store, Json& data, const Watch& watch) {
     stop_if_asked(watch);
     Json coordinates = Json::array(), values = Json::array();
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
-      const Json x = json_of(study::meant_value(study.axes[i], point.axis_values[i]));
+      const study::Value& setting = point.axis_values[i];
+      const Json x = json_of(drawn ? setting : study::meant_value(study.axes[i], setting));
       Json& known = data["axes"][i]["values"];
       const auto at = std::find(known.begin(), known.end(), x);
       coordinates.push_back(at - known.begin());

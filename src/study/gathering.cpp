@@ -71,10 +71,8 @@ std::optional<std::pair<double, std::string>> AxisLevels::of(const Value& value)
 }
 
 Gathering::Gathering(const Study& study) : study_(study), moments_(study.quantities.size()) {
-  const bool drawn = study.design.kind == DesignKind::random || study.design.kind == DesignKind::latin_hypercube ||
-                     study.design.kind == DesignKind::sobol;
   levels_.reserve(study.axes.size());
-  for (const StudyAxis& axis : study.axes) levels_.emplace_back(axis, drawn);
+  for (const StudyAxis& axis : study.axes) levels_.emplace_back(axis, is_drawn(study.design.kind));
   along_.resize(study.axes.size());
   fits_ = std::vector<LineFit>(study.fits.size());
   for (const StudyFit& fit : study.fits) {

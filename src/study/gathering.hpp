@@ -69,8 +69,8 @@ class Gathering {
   std::vector<Moments> moments_;
   std::vector<AxisLevels> levels_;
   std::vector<std::map<std::pair<double, std::string>, std::vector<Level>>> along_;
-  std::size_t kept_ = 0;  // numbers in all levels
-  static constexpr std::size_t kMostKept = 2'000'000;
+  std::size_t kept_ = 0;                             // numbers in all levels
+  static constexpr std::size_t kMostKept = 150'000;  // with what vectors reserve, 2 MB
   std::vector<LineFit> fits_;
   std::vector<std::pair<std::size_t, std::size_t>> places_;  // indices of axis and quantity of each fit
   std::map<std::string, std::uint64_t> statuses_;

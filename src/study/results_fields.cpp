@@ -56,7 +56,8 @@ constexpr Field kFields[] = {
     {"/marginals", anything, "", kAny, "", "",
      "for each axis of at most 500 values: an array of objects with value, the axis's label, and for each quantity count, "
      "mean, "
-     "standard_deviation, quantile_05, median, quantile_95; the quantiles are null beyond two million numbers",
+     "standard_deviation, quantile_05, median, quantile_95; the quantiles are null beyond 150,000 numbers (points times "
+     "quantities times such axes)",
      kAlways},
     {"/fits", anything, "", kAny, "", "",
      "an array of the fitted curves: kind, axis, quantity, law, points, a, b, their standard errors and the residual, null "

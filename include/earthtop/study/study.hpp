@@ -33,6 +33,10 @@ struct StudyAxis {
 
 enum class DesignKind { grid, random, latin_hypercube, sobol, one_at_a_time };
 std::string_view to_string(DesignKind kind);
+/// Whether points lie anywhere in the axes' ranges, not on the levels of a grid.
+constexpr bool is_drawn(DesignKind kind) {
+  return kind == DesignKind::random || kind == DesignKind::latin_hypercube || kind == DesignKind::sobol;
+}
 
 struct StudyDesign {
   DesignKind kind = DesignKind::grid;
