@@ -12,6 +12,7 @@
 #include "earthtop/frames/earth.hpp"
 #include "earthtop/model/body.hpp"
 #include "earthtop/scenario/inputs.hpp"
+#include "earthtop/scenario/reference.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "scenario/fields.hpp"
@@ -36,11 +37,20 @@ constexpr std::string_view kRooms[] = {"/site/",    "/earth/",    "/body/",    "
                                        "/contact/", "/platform/", "/effects/", "/moving_masses/", "/instrument/"};
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
-    "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and JSON pointers of numbers of site, earth, body, rotor, gimbals, "
+    "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and keys of numbers of site, earth, body, rotor, gimbals, "
     "moving_masses, release, contact, platform, effects or instrument, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));
+}
+
+/// The pointer of the key that a name means; the name itself where it means none.
+std::string pointer_of(const std::string& name) {
+  try {
+    return scenario_pointer(name);
+  } catch (const ScenarioError&) {
+    return name;
+  }
 }
 
 /// The entry for a pointer in the table of the scenario's keys; null if the pointer does not lead to a number.
@@ -93,9 +103,11 @@ void EstimatedInputs::refuse_conflicts() const {
 }
 
 void EstimatedInputs::add(const std::string& name) {
+  if (std::ranges::any_of(kInputs, [&](const InputRow& r) { return r.kind == InputKind::pivot_offset && r.name() == name; }))
+    refuse_estimate(name, "is no single number; estimate its parts, e.g. /platform/pivot_offset_m/0");
   // The inputs of the `uncertainty` block may be called by their names.
   const auto named = std::ranges::find_if(kInputs, [&](const InputRow& row) { return row.name() == name && !row.of.empty(); });
-  const std::string pointer(named != kInputs.end() ? named->of : name);
+  const std::string pointer = named != kInputs.end() ? std::string(named->of) : pointer_of(name);
   for (const EstimatedInput& input : list_)
     if (input.name == name || input.pointer == pointer) refuse_estimate(name, "is asked for twice");
   for (const CombinedName& combined : kCombinedNames)
@@ -105,8 +117,6 @@ void EstimatedInputs::add(const std::string& name) {
     for (const CombinedName& combined : kCombinedNames) names.push_back(combined.name);
     for (const InputRow& row : kInputs)
       if (!row.of.empty()) names.push_back(row.name());
-    if (std::ranges::any_of(kInputs, [&](const InputRow& r) { return r.kind == InputKind::pivot_offset && r.name() == name; }))
-      refuse_estimate(name, "is no single number; estimate its parts, e.g. /platform/pivot_offset_m/0");
     const auto meant = input::suggest(name, names);
     refuse_estimate(name, fmt::format("unknown; {}{}", kAllowedNames, meant ? fmt::format("; did you mean {}?", *meant) : ""));
   }

@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "earthtop/elementary.hpp"
+#include "earthtop/scenario/reference.hpp"
 #include "error/gsl_errors.hpp"
 #include "input/node.hpp"
 #include "measure/measured_motion.hpp"
@@ -314,12 +315,11 @@ DesignInput design_input(const std::string& text) {
     const auto [last, error] = std::from_chars(text.data() + from, end, value);
     return error == std::errc() && last == end && std::isfinite(value);
   };
-  const bool is_whole = text.starts_with('/') && equals != std::string::npos && colon != std::string::npos &&
-                        number(equals + 1, colon, input.low) && number(colon + 1, text.size(), input.high);
+  const bool is_whole = equals != std::string::npos && colon != std::string::npos && number(equals + 1, colon, input.low) &&
+                        number(colon + 1, text.size(), input.high);
   if (!is_whole)
-    throw ScenarioError(
-        "", fmt::format("--optimise {}: is not /json/pointer=LOW:HIGH, e.g. /release/tilt_deg=5:60", input::excerpt(text, 80)));
-  input.pointer = text.substr(0, equals);
+    throw ScenarioError("", fmt::format("--optimise {}: is not KEY=LOW:HIGH, e.g. tilt_deg=5:60", input::excerpt(text, 80)));
+  input.pointer = scenario_pointer(text.substr(0, equals));
   if (!(input.low < input.high)) plan::refuse_design(input.pointer, "the first limit must be below the second one");
   return input;
 }

@@ -112,4 +112,8 @@ nlohmann::ordered_json summary_part(const RunResult& result, std::string_view pa
 /// meant; none for a path that some runs have ("drift.secular.azimuth_rate_rad_s", "theory.0.computed").
 std::optional<std::string> summary_path_fault(std::string_view path);
 
+/// The dotted path of a member of summary.json that a user names: "drift.axis_final_rad", "/drift/axis_final_rad", or a bare name: of the
+/// member that has it nearest to the document's top, or else of a key of the scenario. Anything else is returned as it is.
+std::string summary_path(std::string_view given);
+
 }  // namespace earthtop

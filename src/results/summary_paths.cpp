@@ -5,9 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "earthtop/error.hpp"
+#include "earthtop/scenario/reference.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
 #include "results/figures.hpp"
@@ -146,6 +149,19 @@ const Json& every_member() {
   return all;
 }
 
+/// The paths of a result's members with a name that are nearest to the document's top; the copy of the scenario has others.
+std::vector<std::string> members_called(std::string_view name) {
+  std::vector<std::string> found = summary_paths();
+  std::erase_if(found, [&](const std::string& each) {
+    return each.starts_with("scenario.") || !each.ends_with("." + std::string(name));
+  });
+  const auto depth = [](const std::string& each) { return std::ranges::count(each, '.'); };
+  std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+  for (const std::string& each : found) least = std::min(least, depth(each));
+  std::erase_if(found, [&](const std::string& each) { return depth(each) > least; });
+  return found;
+}
+
 /// The path of the first member with this name, wherever it stands; empty where there is none.
 std::string place_of(std::string_view name, const Json& at, const std::string& path) {
   if (!at.is_object()) return "";
@@ -161,6 +177,8 @@ std::string no_member(const Json& object, const std::string& path, std::string_v
   std::vector<std::string_view> names;
   for (const auto& item : object.items()) names.emplace_back(item.key());
   std::string text = fmt::format("summary.json never has \"{}\"{}", name, path.empty() ? "" : fmt::format(" in {}", path));
+  const std::vector<std::string> places = path.empty() ? members_called(name) : std::vector<std::string>{};
+  if (places.size() > 1) return text + fmt::format("; say which: {}", fmt::join(places, ", "));
   if (const std::string elsewhere = place_of(name, every_member(), ""); !elsewhere.empty())
     return text + fmt::format("; did you mean \"{}\"", elsewhere);
   if (const auto meant = input::suggest(name, names))
@@ -217,6 +235,26 @@ std::optional<std::string> summary_path_fault(std::string_view path) {
     so_far += step;
   }
   return std::nullopt;
+}
+
+std::string summary_path(std::string_view given) {
+  std::string path(given);
+  if (path.starts_with('/')) {
+    path.erase(0, 1);
+    std::replace(path.begin(), path.end(), '/', '.');
+    return path;
+  }
+  if (path.find('.') != path.npos || every_member().contains(path)) return path;
+  const std::vector<std::string> found = members_called(path);
+  if (found.size() == 1) return found.front();
+  if (!found.empty()) return path;
+  try {
+    std::string of_scenario = "scenario" + scenario_pointer(path);
+    std::replace(of_scenario.begin(), of_scenario.end(), '/', '.');
+    return of_scenario;
+  } catch (const ScenarioError&) {
+    return path;
+  }
 }
 
 }  // namespace earthtop

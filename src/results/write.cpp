@@ -190,6 +190,19 @@ void check_output_directory(const fs::path& dir, const Scene& scene, bool force)
   if (is_something_at(dir)) check_present_files(dir, scene, force);
 }
 
+fs::path free_output_directory(const fs::path& dir, const Scene& scene) {
+  constexpr int kMost = 1000;
+  for (int number = 1;; ++number) {
+    const fs::path candidate = number == 1 ? dir : fs::path(fmt::format("{}-{}", dir.string(), number));
+    try {
+      check_output_directory(candidate, scene, false);
+      return candidate;
+    } catch (const ScenarioError&) {
+      if (number == kMost || !is_something_at(candidate)) throw;
+    }
+  }
+}
+
 void write_file(const fs::path& file, const std::function<std::string()>& content) {
   struct stat status = {};
   if (::lstat(file.c_str(), &status) != 0 && errno != ENOENT && errno != ENOTDIR) fail_to_write(file, errno);

@@ -2,10 +2,13 @@
 #include "earthtop/scenario/reference.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
+#include "earthtop/error.hpp"
 #include "input/pointers.hpp"
 #include "input/schema.hpp"
 #include "scenario/document.hpp"
@@ -106,6 +109,27 @@ void lay_out(std::string& text, const Json& json, std::size_t depth) {
 
 bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != FieldKind::list; }
 
+/// Pointers of the keys that a bare name can mean.
+std::vector<std::string> pointers_called(std::string_view name) {
+  // Their keys are meant only where no other section has the name: standard errors, which nobody means, and the parts that came after
+  // 1.0, before which the name had one meaning.
+  constexpr std::string_view kSecond[] = {"/uncertainty/", "/rotor/", "/gimbals/", "/moving_masses/"};
+  std::vector<std::string> found, first;
+  for (const input::Field& field : fields().fields) {
+    if (field.key() != name || field.pointer.find('*') != field.pointer.npos) continue;
+    found.emplace_back(field.pointer);
+    if (std::ranges::none_of(kSecond, [&](std::string_view section) { return field.pointer.starts_with(section); }))
+      first.emplace_back(field.pointer);
+  }
+  std::vector<std::string>& meant = first.empty() ? found : first;
+  const auto depth = [](const std::string& pointer) { return std::ranges::count(pointer, '/'); };
+  std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
+  for (const std::string& pointer : meant) least = std::min(least, depth(pointer));
+  std::erase_if(meant,
+                [&](const std::string& pointer) { return depth(pointer) > least; });  // the body's mass, not that of its part
+  return meant;
+}
+
 }  // namespace
 }  // namespace scenario
 
@@ -131,6 +155,22 @@ std::vector<std::string> scenario_pointers() {
     pointers.push_back(std::move(pointer));
   }
   return pointers;
+}
+
+std::string scenario_pointer(std::string_view key) {
+  if (key.starts_with('/')) return std::string(key);
+  if (key.find_first_of("/.") != key.npos) {
+    std::string pointer = "/" + std::string(key);
+    if (key.find('/') == key.npos) std::replace(pointer.begin(), pointer.end(), '.', '/');
+    return pointer;
+  }
+  const std::vector<std::string> found = scenario::pointers_called(key);
+  if (found.size() == 1) return found.front();
+  if (!found.empty())
+    throw ScenarioError("", fmt::format("several sections have \"{}\"; say which: {}", key, fmt::join(found, ", ")));
+  const std::string advice = advice_on_key(std::string(key));
+  throw ScenarioError(
+      "", fmt::format("no key of a scenario is called \"{}\"{}{}", printable(key), advice.empty() ? "" : "; ", advice));
 }
 
 }  // namespace earthtop

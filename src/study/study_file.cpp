@@ -263,12 +263,13 @@ class Decoder {
     const Node& node = given.node;
     StudyQuantity quantity;
     if (node.kind == JsonKind::string) {
-      quantity = {node.text, node.text};
+      const std::string path = summary_path(node.text);
+      quantity = {node.text.starts_with('/') ? path : node.text, path};
     } else {
       const Node* name = node.kind == JsonKind::object ? node.find("name") : nullptr;
       const Node* path = node.kind == JsonKind::object ? node.find("path") : nullptr;
       if (path && path->kind == JsonKind::string)
-        quantity = {name && name->kind == JsonKind::string ? name->text : path->text, path->text};
+        quantity = {name && name->kind == JsonKind::string ? name->text : path->text, summary_path(path->text)};
     }
     if (quantity.path.empty() || quantity.path.size() > 200)
       return given.refuse("must be a path in summary.json, e.g. \"drift.axis_final_rad\", or {\"name\": ..., \"path\": ...}");

@@ -17,11 +17,11 @@ sed 's/"tilt_deg"/"tilt_degrees"/; s/"mass_kg": 0.1/"mass_kg": -1/' top.json >fa
 
 # What is 0 reads so, and times have no rounding of their last digits.
 "$tool" example equator >equator.json
-expect 0 run equator.json --out equator --set /motion/duration_s=20
+expect 0 run equator.json --long --out equator --set /motion/duration_s=20
 says 'first-order theory: 0 ± [0-9.]*e-0[0-9] rad/s'
 "$tool" example dzhanibekov >dzhanibekov.json
 for step in 0.1 0.3 0.7; do
-  expect 0 run dzhanibekov.json --force --out dzhanibekov --set /motion/duration_s=2.1 --set "/motion/output_step_s=$step"
+  expect 0 run dzhanibekov.json --long --force --out dzhanibekov --set /motion/duration_s=2.1 --set "/motion/output_step_s=$step"
   on_stdout '^Drift after [0-9]\{1,2\}\(\.[0-9]\{1,2\}\)\{0,1\} s$'
 done
 cat >compass.json <<'END'
@@ -30,7 +30,7 @@ cat >compass.json <<'END'
   "release": { "tilt_deg": 90, "azimuth_deg": 10, "spin_rpm": 6000 }, "effects": { "gimbal": true },
   "motion": { "duration_s": 9.7000000000000011, "output_step_s": 0.1 } }
 END
-expect 0 run compass.json --out compass
+expect 0 run compass.json --long --out compass
 says 'Drift after 9.7 s'
 says 'tilt 0 rad within [0-9.]*e-1[0-9] (+ is farther from Up)'
 says 'Trend not determined: the axis is released at rest in its gimbal: it swings to and fro, and its azimuth has no secular rate'
@@ -184,27 +184,27 @@ cmp -s piped/summary.json again/summary.json || fault "standard input gives anot
 
 # The headline figure: met; no news where the scenario was changed; a warning where it was not.
 "$tool" example dzhanibekov >headline.json || fault "example dzhanibekov"
-expect 0 run headline.json --out headline
+expect 0 run headline.json --long --out headline
 says ' Headline drift_axis_rad at 1.6 s = [^:]*: met, off by'
-expect 0 run headline.json --out headline --force --set /earth/rotation_rate_rad_s=0
+expect 0 run headline.json --long --out headline --force --set /earth/rotation_rate_rad_s=0
 says ' Headline [^:]*: differs, as the scenario was changed'
-expect 0 run headline.json --out headline --force --set /numerics/method=dopri5 --set /numerics/relative_tolerance=1e-5 \
+expect 0 run headline.json --long --out headline --force --set /numerics/method=dopri5 --set /numerics/relative_tolerance=1e-5 \
   --set /numerics/ledger=body --set /name=other
 says ' Headline [^:]*: NOT MET'
-expect 0 run headline.json --out headline --force --set /motion/duration_s=1
+expect 0 run headline.json --long --out headline --force --set /motion/duration_s=1
 says ' Headline [^:]*: not compared, this run has no such number'
 on_stderr 'warning: /headline/at_s'
-expect 3 run headline.json --out headline --force --set /numerics/method=abm8 --set /numerics/step_s=100 \
+expect 3 run headline.json --long --out headline --force --set /numerics/method=abm8 --set /numerics/step_s=100 \
   --set /motion/output_step_s=0.4
 says ' Headline [^:]*: not compared, the run stopped at'
 sed 's/"value": 1/"value": 2/' headline.json >wrong.json
-expect 0 run wrong.json --out wrong
+expect 0 run wrong.json --long --out wrong
 says ' Headline [^:]*: NOT MET'
 expect 0 run top.json --out bare
 grep -q Headline out.txt && fault "a headline where the scenario has none"
 
 # The torque ledger: written when asked, gone with the results it belonged to.
-expect 0 run top.json --out ledger --set /numerics/ledger=laboratory
+expect 0 run top.json --long --out ledger --set /numerics/ledger=laboratory
 says 'torques.csv, as the laboratory observer'
 head -n 1 ledger/torques.csv | grep -q '^t_s,tau_phys_x_N_m,.*,residual_z_N_m$' || fault "no ledger"
 [ "$(wc -l <ledger/torques.csv)" -eq "$(wc -l <ledger/trajectory.csv)" ] || fault "the ledger has not the trajectory's rows"
@@ -213,7 +213,7 @@ expect 0 run top.json --out ledger --force
 [ ! -e ledger/torques.csv ] || fault "an old ledger was left"
 
 # Extended precision by one key: 34 digits in the file, the same in the summary, another identity.
-expect 0 run top.json --out quad --set /numerics/precision=float128 --set /motion/duration_s=0.05
+expect 0 run top.json --long --out quad --set /numerics/precision=float128 --set /motion/duration_s=0.05
 on_stdout '^  in full     [0-9]\.[0-9]\{31,33\}e-[0-9]* rad$'
 on_stdout '^Computed .*float128'
 grep -q '"axis_final_rad": "[0-9.]*e-[0-9]*"' quad/summary.json || fault "no digits in the summary"
@@ -222,8 +222,15 @@ expect 2 run top.json --out quad --set /numerics/precision=float128 --set /numer
 on_stderr '/numerics/method: "dopri5" is not built for float128; must be "auto", "rkf78", "extrapolation"'
 
 # Results of another scenario in the way.
-expect 2 run top.json --set /release/spin_rad_s=210
-on_stderr 'another scenario'
+expect 2 run top.json --set spin_rad_s=210 --out out/cli-top
+on_stderr 'holds the results of another scenario; .*; for example: earthtop run top.json --set spin_rad_s=210 --out out/cli-top-2$'
+expect 0 run top.json --set spin_rad_s=210
+says 'Written out/cli-top-2, as out/cli-top holds other results'
+tail -n 1 out.txt | grep -qx ' *earthtop report out/cli-top-2' || fault "the last line is no command that makes the page"
+expect 0 run top.json --set spin_rad_s=220 --quiet
+on_stderr 'note: the results are in out/cli-top-3, as out/cli-top holds other results'
+expect 0 run top.json --set release.spin_rad_s=210 --quiet
+[ ! -s err.txt ] || grep -q cli-top-2 err.txt || fault "the same results are not in the same place"
 cmp -s again/summary.json out/cli-top/summary.json || fault "refused, and yet overwritten"
 expect 0 run top.json --set /release/spin_rad_s=210 --force --quiet
 cmp -s again/summary.json out/cli-top/summary.json && fault "--force did not overwrite"

@@ -171,7 +171,7 @@ def words_of(text):
 
 def check_sparkline():
     """A terminal shows the drift over time, and its largest value."""
-    shown = on_terminal(80, "run", "toy-top.json", "--out", "wide", TERM="xterm", NO_COLOR="")
+    shown = on_terminal(80, "run", "toy-top.json", "--out", "wide", "--long", TERM="xterm", NO_COLOR="")
     if not re.search("^Drift       0 s [▁-█]*█[▁-█]* 60 s, the largest 0.00118 rad$", shown, re.MULTILINE):
         fault(f"no sparkline of the drift in {shown}")
 
@@ -179,7 +179,7 @@ def check_sparkline():
 def check_widths(names):
     """The same words on every screen, in lines of its width; 40 columns at least, 120 at most, and 80 without a screen."""
     commands = [["--help"], *([name, "--help"] for name in names), ["check", "toy-top.json"],
-                ["run", "toy-top.json", "--out", "wide"],
+                ["run", "toy-top.json", "--out", "wide", "--long"],
                 ["plan", "gyro.json", "--measure", "azimuth_deg", "--sigma", "0.01", "--every", "0.5"]]
     for command in commands:
         in_file = run(*command).stdout

@@ -243,6 +243,11 @@ TEST(SummaryTable, KnowsThePathsOfAContact) {
         "contact.prediction_changes.1.tip_m", "scenario.contact.friction_coefficient", "scenario.contact.static_coefficient",
         "scenario.contact.sliding_viscosity_s_m"})
     EXPECT_FALSE(summary_path_fault(path)) << path;
+  EXPECT_EQ(summary_path("/drift/axis_final_rad"), "drift.axis_final_rad");
+  EXPECT_EQ(summary_path("axis_final_rad"), "drift.axis_final_rad");
+  EXPECT_EQ(summary_path("tilt_deg"), "scenario.release.tilt_deg") << "as --set takes it";
+  EXPECT_EQ(summary_path("name"), "name") << "the document's own";
+  EXPECT_TRUE(summary_path_fault(summary_path("method"))) << "the solution and the certificate have one";
   EXPECT_TRUE(summary_path_fault("drift.tip_last_m"));
   EXPECT_TRUE(summary_path_fault("contact.events.first.t_s"));
   EXPECT_TRUE(is_known_at_the_end("drift.tip_final_m"));

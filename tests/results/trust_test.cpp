@@ -88,7 +88,7 @@ void expect_one_word(const RunResult& result) {
   if (!is_partial(result)) EXPECT_EQ(check_headline(stated)->computed.has_value(), to_the_end);
 
   // The terminal.
-  const std::string text = tool::summary_text(result, "nowhere", false, {200, false});
+  const std::string text = tool::summary_text(result, {"nowhere", ""}, false, {200, false});
   EXPECT_EQ(has(text, known ? "Drift after " + time_text(last->t_s) : "none that can be trusted"), true) << text;
   EXPECT_EQ(has(text, "marked as not reliable"), !all) << text;
   EXPECT_EQ(has(text, "later rows are written"), known && !to_the_end) << text;
@@ -229,7 +229,7 @@ TEST(SummaryText, AnUnknownBoundAndSwingsWithinTheirErrorAreSaidSo) {
   result.drift.secular->azimuth_rate_rad_s = 1e-5;
   result.drift.secular->azimuth_oscillation_rad = 1e-17;
   result.drift.secular->azimuth_oscillation_bound_rad = 2e-16;
-  const auto text = [&] { return tool::summary_text(result, "nowhere", false, {200, false}); };
+  const auto text = [&] { return tool::summary_text(result, {"nowhere", ""}, false, {200, false}); };
   EXPECT_NE(text().find("none beyond the error of 2.0e-16 rad"), std::string::npos) << text();
   result.drift.secular->azimuth_oscillation_rad = 1e-3;
   EXPECT_EQ(text().find("none beyond the error of"), std::string::npos) << text();

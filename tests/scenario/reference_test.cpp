@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -71,6 +72,27 @@ TEST(ScenarioReference, ManualsHoldTheTables) {
       << "put the output of `earthtop schema --mapping --markdown` into tools/README.md";
   EXPECT_NE(tools_manual.find(tolerances_reference_markdown()), std::string::npos)
       << "put the output of `earthtop schema --tolerances --markdown` into tools/README.md";
+}
+
+TEST(ScenarioReference, AKeyIsNamedInAnyOfFourWays) {
+  for (const char* key : {"latitude_deg", "site.latitude_deg", "site/latitude_deg", "/site/latitude_deg"})
+    EXPECT_EQ(scenario_pointer(key), "/site/latitude_deg") << key;
+  EXPECT_EQ(scenario_pointer("mass_kg"), "/body/mass_kg") << "and not the rotor's or a gimbal's";
+  EXPECT_EQ(scenario_pointer("tilt_deg"), "/release/tilt_deg") << "and not the table's";
+  EXPECT_EQ(scenario_pointer("numerics"), "/numerics");
+  EXPECT_EQ(scenario_pointer("moving_masses.0.mass_kg"), "/moving_masses/0/mass_kg");
+  EXPECT_EQ(scenario_pointer("axial_kg_m2"), "/rotor/axial_kg_m2") << "which no other section has";
+  EXPECT_EQ(scenario_pointer("/no/such/key"), "/no/such/key") << "a pointer is not examined";
+  for (const char* key : {"locked", "latitude", "", "nonsense"}) EXPECT_THROW(scenario_pointer(key), ScenarioError) << key;
+}
+
+// Every key that can be set is found by its pointer's steps with dots, and by its bare name where that is said to be enough.
+TEST(ScenarioReference, EveryPointerIsItsOwnDottedName) {
+  for (const std::string& pointer : scenario_pointers()) {
+    std::string dotted = pointer.substr(1);
+    std::replace(dotted.begin(), dotted.end(), '/', '.');
+    if (dotted.find('.') != dotted.npos) EXPECT_EQ(scenario_pointer(dotted), pointer);
+  }
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{AXES R"(, "set": {"/motion/duration": 2})", "/set/~1motion~1duration",
                             "did you mean \"duration_s\""},
                       Fault{COLLECT("drift.axis_final"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
-                      Fault{COLLECT("axis_final_rad"), "/collect/0", "did you mean \"drift.axis_final_rad\""},
+                      Fault{COLLECT("method"), "/collect/0", "say which: solution.method, certificate.method"},
                       Fault{COLLECT("drifts.axis_final_rad"), "/collect/0", "did you mean \"drift\""},
                       Fault{COLLECT("drift.verdict.x"), "/collect/0", "drift.verdict has no members"},
                       Fault{COLLECT("motion.axis_final_L.3"), "/collect/0", "0 to 2"},

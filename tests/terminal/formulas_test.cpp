@@ -52,7 +52,7 @@ std::string without_moments(const std::string& text, const RunResult& result) {
 
 std::string printed(const RunResult& result) {
   constexpr std::size_t kWide = 100'000;  // columns: no sentence is broken
-  return tool::summary_text(result, "out", false, {kWide, false});
+  return tool::summary_text(result, {"out", ""}, false, {kWide, false});
 }
 
 /// Formulas that runs print, each with the number of times that it has to be found at least.

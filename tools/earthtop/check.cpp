@@ -11,6 +11,7 @@
 #include "earthtop/scenario/scenario.hpp"
 #include "json_object.hpp"
 #include "output.hpp"
+#include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 #include "wrapped.hpp"
@@ -33,7 +34,7 @@ struct CheckedFile {
 
 CheckedFile check_file(const std::string& path, const std::vector<std::pair<std::string, std::string>>& overrides) {
   try {
-    const ScenarioSource source = read_scenario_source(path);
+    const ScenarioSource source = scenario_of(path);
     return {source.file, kDone, examine_scenario(source, overrides)};
   } catch (const ScenarioError& error) {
     return {error.file(), kRefused, {std::nullopt, error.diagnostics().size(), error.diagnostics()}};
@@ -125,7 +126,11 @@ Verb describe_check() {
   auto arguments = std::make_shared<CheckArguments>();
   Verb check("check", "list everything that is wrong in scenario files; run nothing",
              [arguments] { return check_verb(*arguments); });
-  check.add("SCENARIO", &arguments->files, "scenario files (JSON); - is standard input").required().json_file();
+  check
+      .add("SCENARIO", &arguments->files,
+           "scenario files (JSON), or names of scenarios that come with the program; - is standard input")
+      .required()
+      .json_file();
   check.add("--json", &arguments->json, "print what was found as one JSON document");
   check.add("--quiet", &arguments->quiet, "print nothing but errors");
   add_set_option(check, arguments->sets);

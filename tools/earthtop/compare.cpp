@@ -15,6 +15,7 @@
 #include "earthtop/results/output_files.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
+#include "earthtop/scenario/reference.hpp"
 #include "input/file.hpp"
 #include "interrupt.hpp"
 #include "json_object.hpp"
@@ -54,12 +55,7 @@ CompareOptions options_of(const CompareArguments& arguments) {
   if (arguments.steps_ratio > 0) options.tolerances.steps_ratio = arguments.steps_ratio;
   if (arguments.seconds_ratio > 0) options.tolerances.seconds_ratio = arguments.seconds_ratio;
   options.mapping = arguments.mapping;
-  options.may_change = arguments.may_change;
-  for (const std::string& pointer : options.may_change)
-    if (!pointer.starts_with('/'))
-      throw ScenarioError(
-          "", fmt::format("--allow-change {}: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it",
-                          printable(pointer)));
+  for (const std::string& key : arguments.may_change) options.may_change.push_back(scenario_pointer(key));
   options.may_lack_rows = arguments.may_lack_rows;
   options.until_s = arguments.until_s;
   options.with_curves = arguments.json || !arguments.svg.empty();

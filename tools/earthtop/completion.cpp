@@ -7,6 +7,7 @@
 #include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "output.hpp"
+#include "text/shell_word.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -23,12 +24,6 @@ std::string set_words() {
   std::string words;
   for (const std::string& pointer : scenario_pointers()) words += fmt::format("{}{}=", words.empty() ? "" : " ", pointer);
   return words;
-}
-
-/// A text for use within single quotes of a shell.
-std::string quoted(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4) text.replace(at, 1, "'\\''");
-  return text;
 }
 
 /// The options of a verb, --help among them.
@@ -103,9 +98,9 @@ complete -F _earthtop earthtop
 std::string zsh_script(const std::vector<Verb>& verbs) {
   std::string names, flags, words;
   for (const Verb& verb : verbs) {
-    names += fmt::format("    '{}:{}'\n", verb.name, quoted(verb.help));
+    names += fmt::format("    '{}:{}'\n", verb.name, within_quotes(verb.help));
     flags += fmt::format("      {}) flags=(", verb.name);
-    for (const Option& option : options_of(verb)) flags += fmt::format("'{}:{}' ", option.name, quoted(option.help));
+    for (const Option& option : options_of(verb)) flags += fmt::format("'{}:{}' ", option.name, within_quotes(option.help));
     flags += ") ;;\n";
     if (takes_json_files(verb))
       words += fmt::format("      {}) _files -g '*.json' ;;\n", verb.name);
@@ -144,13 +139,13 @@ std::string fish_script(const std::vector<Verb>& verbs) {
       "# Completion of earthtop in fish:  earthtop completion fish | source\ncomplete -c earthtop -f\n"
       "complete -c earthtop -n __fish_use_subcommand -s V -l version -d 'print the version'\n";
   for (const Verb& verb : verbs) {
-    text += fmt::format("complete -c earthtop -n __fish_use_subcommand -a {} -d '{}'\n", verb.name, quoted(verb.help));
+    text += fmt::format("complete -c earthtop -n __fish_use_subcommand -a {} -d '{}'\n", verb.name, within_quotes(verb.help));
     const std::string here = fmt::format("complete -c earthtop -n '__fish_seen_subcommand_from {}'", verb.name);
     if (takes_json_files(verb)) text += fmt::format("{} -k -a '(__fish_complete_suffix .json)'\n", here);
     if (const std::string list = words_of(verb); !list.empty()) text += fmt::format("{} -a '{}'\n", here, list);
     for (const Option& option : options_of(verb)) {
       const std::string letter = option.short_name.empty() ? "" : " -s " + option.short_name.substr(1);
-      text += fmt::format("{}{} -l {} -d '{}'", here, letter, option.name.substr(2), quoted(option.help));
+      text += fmt::format("{}{} -l {} -d '{}'", here, letter, option.name.substr(2), within_quotes(option.help));
       if (option.name == "--set")
         text += fmt::format(" -x -a '{}'", set_words());
       else if (option.name == "--out")

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -9,8 +8,8 @@
 #include "command_line.hpp"
 #include "earthtop/scenario/reference.hpp"
 #include "earthtop/scene/scene.hpp"
-#include "examples.hpp"
 #include "output.hpp"
+#include "scenario_operand.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -21,22 +20,6 @@ struct ExampleArguments {
   bool annotated = false;
   bool list = false;
 };
-
-std::vector<std::string> example_names() {
-  std::vector<std::string> names;
-  for (const Example& example : examples()) names.emplace_back(example.name);
-  return names;
-}
-
-const Example& find_example(std::string_view name) {
-  const auto all = examples();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Example& e) { return e.name == name; });
-  if (found != all.end()) return *found;
-  std::string names;
-  for (const std::string& known : example_names()) names += (names.empty() ? "" : ", ") + known;
-  throw ScenarioError(
-      std::vector<Diagnostic>{{0, 0, "", fmt::format("there is no example \"{}\"; there are: {}", name, names)}});
-}
 
 ScenarioSource source_of(const Example& example) { return {std::string(example.name) + ".json", std::string(example.text)}; }
 

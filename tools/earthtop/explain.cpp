@@ -17,6 +17,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "text/number_words.hpp"
 #include "verbs.hpp"
@@ -141,7 +142,7 @@ std::optional<std::string> watched_explanation(const Scene& scene, bool lively, 
 }
 
 int explain_verb(const ExplainArguments& arguments) {
-  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  const ScenarioSource source = scenario_of(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
@@ -163,7 +164,7 @@ Verb describe_explain() {
   auto arguments = std::make_shared<ExplainArguments>();
   Verb explain("explain", "print the effect budget: every torque, the drift that it causes, and why it is modelled or left out",
                [arguments] { return explain_verb(*arguments); });
-  explain.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
+  explain.add("SCENARIO", &arguments->scenario, kScenarioOperand).required().json_file();
   explain.add("--json", &arguments->json, "print the budget, or the errors, as one JSON document");
   explain.add("--quiet", &arguments->quiet, "print no warnings about the scenario");
   add_set_option(explain, arguments->sets);

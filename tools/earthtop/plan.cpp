@@ -197,7 +197,7 @@ Verb describe_plan() {
   plan.add("--optimise", &a.design,
            "choose this number within these limits so that the standard error of the first estimate is smallest; may be "
            "repeated")
-      .called("/POINTER=LOW:HIGH");
+      .called("KEY=LOW:HIGH");
   plan.add("--svg", &a.svg, "write a picture of the standard error against duration, rows and accuracy").called("FILE");
   plan.add("--write-data", &a.data, "write a simulated measurement: the scenario's motion with normally distributed errors")
       .called("FILE.csv");

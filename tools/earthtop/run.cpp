@@ -16,9 +16,11 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "summary_text.hpp"
 #include "text/number_words.hpp"
+#include "text/shell_word.hpp"
 #include "verbs.hpp"
 
 namespace earthtop::tool {
@@ -30,6 +32,7 @@ struct RunArguments {
   bool force = false;
   bool json = false;
   bool quiet = false;
+  bool with_all = false;
   bool no_step_limit = false;
   bool partial = false;
   unsigned jobs = 0;
@@ -62,7 +65,7 @@ struct RequestedScene {
 };
 
 RequestedScene read_scene(const RunArguments& arguments) {
-  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  const ScenarioSource source = scenario_of(arguments.scenario);
   ScenarioReport report = examine_scenario(source, split_sets(arguments.sets));
   if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
   if (!arguments.quiet) report_warnings(source.file, report.warnings);
@@ -139,11 +142,42 @@ std::string sparkline(const RunResult& result, std::size_t width) {
   return line + end;
 }
 
+void print_text(const RunResult& result, const Written& where, bool is_changed, bool with_all) {
+  const Screen screen = output_screen();
+  const std::string line = is_lively_terminal(STDOUT_FILENO) ? sparkline(result, screen.width) : "";
+  print((with_all ? summary_text : brief_text)(result, where, is_changed, screen, line));
+}
+
+/// The command of these arguments, with another directory.
+std::string command_with_out(const RunArguments& arguments, const std::filesystem::path& dir) {
+  std::string command = "earthtop run " + shell_word(arguments.scenario);
+  for (const std::string& set : arguments.sets) command += " --set " + shell_word(set);
+  return command + " --out " + shell_word(dir.string());
+}
+
+/// Where the results go: what was asked for, or the first directory of the scenario's name where nothing would be lost.
+Written output_directory(const RunArguments& arguments, const Scene& scene) {
+  const std::string usual = "out/" + scene.scenario().name, dir = arguments.out.value_or(usual);
+  if (!arguments.out && !arguments.force) {
+    const std::string free = free_output_directory(usual, scene).string();
+    return {free, free == usual ? "" : usual};
+  }
+  try {
+    check_output_directory(dir, scene, arguments.force);
+  } catch (const ScenarioError& error) {
+    if (arguments.force || !std::filesystem::is_directory(dir)) throw;
+    std::vector<Diagnostic> refusal = error.diagnostics();
+    refusal.back().message += "; for example: " + command_with_out(arguments, free_output_directory(dir, scene));
+    throw ScenarioError(std::move(refusal), error.file());
+  }
+  return {dir, ""};
+}
+
 int run_verb(const RunArguments& arguments) try {
   const auto [scene, is_changed] = read_scene(arguments);
   const Scenario& scenario = scene.scenario();
-  const std::filesystem::path dir = arguments.out ? *arguments.out : "out/" + scenario.name;
-  check_output_directory(dir, scene, arguments.force);
+  const Written where = output_directory(arguments, scene);
+  const std::filesystem::path dir = where.directory;
 
   const auto [result, is_written, was_interrupted, summary] = run_and_write(scene, dir, arguments);
   if (!is_written) return report_nothing_kept(result, arguments);
@@ -152,13 +186,14 @@ int run_verb(const RunArguments& arguments) try {
         "earthtop: error: interrupted; {}, in {}",
         is_partial(result) ? "the rows are whole, but without error bounds and verdict" : "but the results are whole",
         printable(dir.string())));
-  const Screen screen = output_screen();
   try {
     if (arguments.json)
       print(summary);
     else if (!arguments.quiet)
-      print(summary_text(result, dir.string(), is_changed, screen) +
-            (is_lively_terminal(STDOUT_FILENO) ? sparkline(result, screen.width) : ""));
+      print_text(result, where, is_changed, arguments.with_all);
+    if ((arguments.json || arguments.quiet) && !where.taken.empty())
+      message(fmt::format("note: the results are in {}, as {} holds other results", printable(where.directory),
+                          printable(where.taken)));
   } catch (const WriteError& error) {
     throw WriteError(error.file(), fmt::format("{}; the results are whole, in {}", error.reason(), dir.string()));
   }
@@ -191,12 +226,15 @@ Verb describe_run() {
   auto arguments = std::make_shared<RunArguments>();
   Verb run("run", "predict a top's motion with and without the Earth's rotation, and how far the two drift apart",
            [arguments] { return run_verb(*arguments); });
-  run.add("SCENARIO", &arguments->scenario, "scenario file (JSON); - is standard input").required().json_file();
-  run.add("--out", &arguments->out, "directory for the results; default: out/<name>").called("DIR");
+  run.add("SCENARIO", &arguments->scenario, kScenarioOperand).required().json_file();
+  run.add("--out", &arguments->out,
+          "directory for the results; default: out/<name>, or out/<name>-2 and so on where that has others")
+      .called("DIR");
   run.add("--force", &arguments->force, "overwrite the results of another scenario");
   run.add("--partial", &arguments->partial,
           "if the run is interrupted when only error bounds and verdict are missing, write the rows without them");
   run.add("--json", &arguments->json, "print the summary, or the errors, as one JSON document");
+  run.add("--long", &arguments->with_all, "print everything that is known of the run");
   run.add("--quiet", &arguments->quiet, "print nothing but errors (and what --json asks for)");
   run.add("--no-step-limit", &arguments->no_step_limit,
           "continue beyond ten times the estimated number of steps, where a run would otherwise stop");
@@ -212,7 +250,9 @@ Verb describe_run() {
       "the Earth's rotation. The difference between the two is the drift; it is reported with a bound on its error and a "
       "verdict on how far it can be trusted. The directory receives trajectory.csv, summary.json, timing.json and drift.svg, "
       "and torques.csv if the scenario asks for a ledger. These files are replaced together or not at all. The results of "
-      "another scenario are overwritten only with --force. Standard output shows the summary for people or, with --json, the "
+      "another scenario are overwritten only with --force. Standard output shows what drifts, how surely that is known and "
+      "why; with "
+      "--long everything, and with --json the "
       "content of summary.json.");
   run.example("earthtop run toy-top.json", "predicts the motion and writes it to out/toy-top");
   run.example("earthtop run toy-top.json --set /site/latitude_deg=60 --out north", "the same at another latitude");

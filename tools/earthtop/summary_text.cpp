@@ -15,34 +15,18 @@
 #include "earthtop/results/top_lines.hpp"
 #include "number_text.hpp"
 #include "screen.hpp"
+#include "summary_parts.hpp"
 #include "text/number_words.hpp"
 #include "wrapped.hpp"
 
 namespace earthtop::tool {
 namespace {
 
-constexpr double kArcsecond = std::numbers::pi / (180 * 3600.0);
-
-/// The same angle in a handy unit, from degrees to microarcseconds.
-std::string pictured(double rad) {
-  const double arcseconds = rad / kArcsecond;
-  const double size = std::abs(arcseconds);
-  if (size >= 3600) return fmt::format("{:.5g}°", arcseconds / 3600);
-  if (size >= 0.1 || size == 0) return fmt::format("{:.5g} arcsec", arcseconds);
-  if (size >= 1e-4) return fmt::format("{:.5g} milliarcsec", arcseconds * 1e3);
-  return fmt::format("{:.5g} microarcsec", arcseconds * 1e6);
-}
-
 std::string grouped(std::int64_t number) {
   std::string digits = fmt::format("{}", number);
   for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > (number < 0 ? 1 : 0); at -= 3)
     digits.insert(static_cast<std::size_t>(at), 1, ',');
   return digits;
-}
-
-std::string spoken(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
 }
 
 std::string_view axes_of(Observer observer) {
@@ -54,37 +38,10 @@ std::string_view axes_of(Observer observer) {
   return "";
 }
 
-class Page {
- public:
-  explicit Page(const Screen& screen) : screen_(screen) {}
-
-  void heading(std::string_view text) { line("{}", strong(text)); }
-  void entry(std::string_view label, std::string_view text, std::size_t indent = 12) {
-    text_ += wrapped_entry(label, text, screen_.width, indent);
-  }
-  template <class... Values>
-  void line(fmt::format_string<Values...> format, Values&&... values) {
-    constexpr std::size_t kIndent = 14;
-    text_ += wrapped(fmt::format(format, std::forward<Values>(values)...), screen_.width, kIndent) + '\n';
-  }
-  void gap() { text_ += '\n'; }
-  std::string strong(std::string_view text) const { return dressed("1", text); }
-  std::string warning(std::string_view text) const { return dressed("33", text); }
-  std::string text() && { return std::move(text_); }
-
- private:
-  std::string dressed(std::string_view code, std::string_view text) const {
-    return screen_.color ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
-  }
-
-  Screen screen_;
-  std::string text_;
-};
-
 /// The angle by which the Earth turns, whichever way it does.
 std::string_view earth_angle(const Scene& scene) { return scene.rotation_rate_rad_s() < 0 ? "|Ω| t" : "Ω t"; }
 
-void write_scene(Page& page, const Scene& scene, double reached_s) {
+void write_scene(TextPage& page, const Scene& scene, double reached_s) {
   const Site& site = scene.site();
   const double turn = std::abs(scene.rotation_rate_rad_s()) * reached_s;
   page.entry("Place", fmt::format("latitude {}°, longitude {}°, height {} m; gravity {} m/s²", site.latitude_deg,
@@ -95,41 +52,9 @@ void write_scene(Page& page, const Scene& scene, double reached_s) {
   page.entry("", matching_rule(scene.scenario()));
 }
 
-void write_top(Page& page, const Scene& scene) {
+void write_top(TextPage& page, const Scene& scene) {
   page.heading("Your top");
   for (const auto& [label, text] : top_lines(scene.top())) page.entry(fmt::format("  {}", label), text, 19);
-}
-
-/// The summary of the drift over the rows that can be trusted, which are mostly all of them.
-DriftSummary reliable_drift(const RunResult& result) {
-  if (is_all_reliable(result)) return result.drift;
-  std::vector<DriftRow> rows = result.rows;
-  std::erase_if(rows, [](const DriftRow& row) { return !row.drift_reliable; });
-  return summarize_drift(rows, result.scene.rotation_rate_rad_s());
-}
-
-/// When an interval of the verdict is: "from 2 s on", "from 2 to 3 s", with as many digits as tell its ends apart.
-std::string span_of(const VerdictInterval& interval) {
-  if (!interval.until_s) return fmt::format("from {:.6g} s on", interval.from_s);
-  int digits = 6;
-  const auto end = [&](double t_s) { return fmt::format("{:.{}g}", t_s, digits); };
-  constexpr int kAll = 17;
-  while (digits < kAll && end(interval.from_s) == end(*interval.until_s)) ++digits;
-  return fmt::format("from {} to {} s", end(interval.from_s), end(*interval.until_s));
-}
-
-void write_verdict(Page& page, const RunResult& result) {
-  const VerdictReport& verdict = result.verdict;
-  std::string text = spoken(std::string(to_string(verdict.verdict)));
-  const char* link = " ";
-  if (verdict.verdict != Verdict::unassessed)
-    for (const VerdictInterval& interval : verdict.intervals)
-      if (type_of(interval.why).of_verdict) text += std::exchange(link, " and ") + span_of(interval);
-  page.entry("Verdict", verdict.from_s || verdict.verdict == Verdict::unassessed ? page.warning(text) : text);
-  page.entry("", verdict.reason);
-  for (const VerdictInterval& interval : verdict.intervals)
-    if (const DoubtType& doubt = type_of(interval.why); !doubt.of_verdict)
-      page.entry("", page.warning(fmt::format("{} the drift is not to be trusted: {}", span_of(interval), doubt.words)));
 }
 
 /// A part of the drift; what is no larger than the bound on the whole is not known to differ from 0.
@@ -138,13 +63,7 @@ std::string part_of_drift(double part, double bound) {
                                  : fmt::format("{:+.6e} rad = {}", part, pictured(part));
 }
 
-/// Whether the rotor's axis is another one than body axis 3.
-bool judges_rotor_axis(const RunResult& result) {
-  const auto& rotor = result.scene.scenario().rotor;
-  return rotor && (rotor->axis[0] != 0 || rotor->axis[1] != 0 || rotor->axis[2] < 0);
-}
-
-void write_drift(Page& page, const RunResult& result) {
+void write_drift(TextPage& page, const RunResult& result) {
   if (!has_drift(result)) {
     page.heading("Drift");
     page.line("  not known: the run has no row beyond the release");
@@ -208,40 +127,8 @@ void write_drift(Page& page, const RunResult& result) {
     page.line("  some rows before are written, marked as not reliable");
 }
 
-void write_stops(Page& page, const RunResult& result) {
-  for (const StopEvent& stop : result.stops)
-    page.entry("At rest", fmt::format("the {} prediction, by dry friction, at t = {}",
-                                      stop.prediction == Prediction::rotating ? "rotating" : "non-rotating",
-                                      time_with_bound(stop.t_s, stop.bound_s)));
-}
-
-void write_lines(Page& page, const std::vector<LabelledLine>& lines) {
-  for (const LabelledLine& line : lines) page.entry(line.label, line.is_warning ? page.warning(line.text) : line.text);
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + spoken(name);
-  return text.empty() ? "nothing" : text;
-}
-
-/// The choice that "auto" made, and the accuracy that was asked for and reached.
-void write_choice(Page& page, const RunResult& result) {
-  if (const auto& selection = result.selection) {
-    page.entry("Effects", fmt::format("switched on: {}; left out: {}, worth {:.1e} rad at most ({:.2g} s to choose)",
-                                      listed(selection->switched_on), listed(selection->left_out),
-                                      selection->left_out_drift_rad, selection->seconds));
-  }
-  if (const auto& accuracy = result.accuracy; accuracy && std::isfinite(accuracy->reached_rad)) {
-    const auto [asked, reached] = told_apart(accuracy->asked_rad, accuracy->reached_rad, 2, 'e');
-    const std::string text =
-        fmt::format("{} rad asked for, {} rad {}", asked, reached, accuracy->reached() ? "reached" : "NOT reached");
-    page.entry("Accuracy", accuracy->reached() ? text : page.warning(text));
-  }
-}
-
 /// When spin and tilt come to the values asked for, the spin that is left, and the swing of a pendulum.
-void write_motion(Page& page, const RunResult& result) {
+void write_motion(TextPage& page, const RunResult& result) {
   if (!result.motion) return;
   const MotionReport& motion = *result.motion;
   const Scenario& scenario = result.scene.scenario();
@@ -275,36 +162,6 @@ void write_motion(Page& page, const RunResult& result) {
   }
 }
 
-void write_threshold(Page& page, const RunResult& result) {
-  const std::optional<ThresholdCrossing>& crossing = result.drift.threshold_crossing;
-  if (!crossing || !result.scene.scenario().threshold_rad) return;
-  const std::optional<double>& time = result.drift.threshold_time_s;
-  const std::string threshold = fmt::format("{} rad {}", *result.scene.scenario().threshold_rad,
-                                            result.drift.headline == GimbalHeadline::outer   ? "of the outer angle "
-                                            : result.drift.headline == GimbalHeadline::inner ? "of the inner angle "
-                                            : judges_rotor_axis(result)                      ? "of the rotor's axis "
-                                                                                             : "");
-  const std::string computed = time ? fmt::format(", as computed at t = {:.9g} s", *time) : ", as computed not passed";
-  switch (*crossing) {
-    case ThresholdCrossing::not_reached: page.entry("Threshold", threshold + "not reached"); break;
-    case ThresholdCrossing::clear:
-      page.entry("Threshold", fmt::format("{}passed at t = {}", threshold,
-                                          time_with_bound(time.value_or(0), result.drift.threshold_time_bound_s)));
-      break;
-    case ThresholdCrossing::tangential:
-      page.entry("Threshold", page.warning(threshold + "only touched" + computed));
-      page.entry("", page.warning(
-                         "the drift turns back within its error of the threshold, so whether and when it passes is not known"));
-      break;
-    case ThresholdCrossing::uncertain:
-      page.entry("Threshold", page.warning(threshold + "passed or not" + computed));
-      page.entry("", page.warning("the drift stays within its error of the threshold until the run ends, its bound cannot "
-                                  "decide, or it is not to be "
-                                  "trusted there"));
-      break;
-  }
-}
-
 /// A prediction of theory with its error, and the computed number. @param sign  -1 for a rate that is counted counterclockwise:
 /// the page counts azimuths clockwise
 std::string theory_line(const TheoryReport& report, double sign) {
@@ -316,12 +173,12 @@ std::string theory_line(const TheoryReport& report, double sign) {
 }
 
 /// Why the drift is what it is.
-void write_why(Page& page, const RunResult& result) {
+void write_why(TextPage& page, const RunResult& result) {
   const char* label = "Why";
   for (const WhySentence& sentence : result.why) page.entry(std::exchange(label, ""), sentence.text);
 }
 
-void write_trend(Page& page, const RunResult& result) {
+void write_trend(TextPage& page, const RunResult& result) {
   if (const auto& secular = result.drift.secular) {
     if (secular->azimuth_rate_rad_s) {
       page.entry("Trend", fmt::format("azimuth drifts by {:+.4e} ± {:.1e} rad/s (+ is clockwise seen from above)",
@@ -366,7 +223,7 @@ std::string loose_bound(const InputSensitivity& input) {
   return fmt::format("; to ± {:.1e} rad", input.axis_bound_rad);
 }
 
-void write_sensitivities(Page& page, const RunResult& result) {
+void write_sensitivities(TextPage& page, const RunResult& result) {
   const SensitivityReport& report = *result.sensitivities;
   if (!report.unavailable.empty()) {
     page.entry("Inputs", page.warning("no sensitivities: " + report.unavailable));
@@ -382,33 +239,6 @@ void write_sensitivities(Page& page, const RunResult& result) {
                fmt::format("{:+.5e} rad  {:<20} (now {:.9g}{}){}", input.axis_rad, input.name, input.value, loose_bound(input),
                            input.axis_error_rad > 0 ? fmt::format(", its error makes {:.2e} rad", input.axis_error_rad) : ""));
   }
-  if (!result.scene.scenario().uncertainty) return;
-  if (!report.without_derivative.empty())
-    return page.entry("Known to",
-                      page.warning(fmt::format("not known: there is no derivative by {}", report.without_derivative)));
-  const DriftRow* row = last_reliable_row(result);
-  page.entry("Known to", fmt::format("{:.6e} rad ± {:.1e} from the inputs (standard error) ± {:.1e} from the numerics (bound)",
-                                     row->drift_axis_rad, report.axis_error_rad, row->drift_axis_bound_rad));
-}
-
-void write_headline(Page& page, const RunResult& result, const HeadlineCheck& check, bool changed) {
-  const std::string quantity =
-      check.at_s ? fmt::format("{} at {}", check.stated.quantity, time_text(*check.at_s)) : check.stated.quantity;
-  const std::string stated = fmt::format("{} = {:.12g} ± {:.1g}", quantity, check.stated.value, check.stated.tolerance);
-  if (!check.difference) {
-    const std::string why = result.status != RunStatus::completed && check.at_s
-                                ? fmt::format("the run stopped at {}", time_text(result.reached_s))
-                                : std::string("this run has no such number");
-    page.entry("Headline", page.warning(fmt::format("{}: not compared, {}", stated, why)));
-    return;
-  }
-  const std::string off = fmt::format("off by {:.1e}", *check.difference);
-  if (check.met)
-    page.entry("Headline", fmt::format("{}: met, {}", stated, off));
-  else if (changed)
-    page.entry("Headline", fmt::format("{}: differs, as the scenario was changed ({})", stated, off));
-  else
-    page.entry("Headline", page.warning(fmt::format("{}: NOT MET ({})", stated, off)));
 }
 
 std::string described(const IntegrationReport& report) {
@@ -420,14 +250,13 @@ std::string described(const IntegrationReport& report) {
 
 }  // namespace
 
-std::string summary_text(const RunResult& result, const std::string& directory, bool changed, const Screen& screen) {
+std::string summary_text(const RunResult& result, const Written& where, bool changed, const Screen& screen,
+                         std::string_view picture) {
   const Scenario& scenario = result.scene.scenario();
-  Page page(screen);
+  TextPage page(screen);
   page.heading(printable(scenario.title.empty() ? scenario.name : scenario.title));
   write_scene(page, result.scene, result.reached_s);
-  if (result.status != RunStatus::completed)
-    page.entry("Stopped", page.warning(fmt::format("{} at t = {} of {}", spoken(std::string(to_string(result.status))),
-                                                   time_text(result.reached_s), time_text(scenario.duration_s))));
+  write_status(page, result);
   page.gap();
   write_top(page, result.scene);
   page.gap();
@@ -437,21 +266,25 @@ std::string summary_text(const RunResult& result, const std::string& directory, 
   write_stops(page, result);
   write_lines(page, contact_event_lines(result));
   write_choice(page, result);
+  write_accuracy(page, result);
   write_trend(page, result);
   write_why(page, result);
   write_lines(page, contact_balance_lines(result));
   write_lines(page, prediction_change_lines(result));
   if (result.sensitivities) write_sensitivities(page, result);
-  if (const auto check = check_headline(result)) write_headline(page, result, *check, changed);
+  write_known_to(page, result);
+  if (const auto check = check_headline(result)) write_headline(page, *check, result, changed);
   page.entry("Computed", described(result.solution));
   if (!is_partial(result)) page.entry("Checked", described(result.certificate));
-  for (const std::string& note : result.notes) page.entry("Note", page.warning(printable(note)));
+  write_notes(page, result);
   if (const auto& ledger = result.ledger)
     page.entry("Torques", fmt::format("torques.csv, as the {} observer counts them: they miss dL'/dt by {:.1e} N m at most",
                                       to_string(ledger->observer), ledger->largest.residual));
-  page.entry("Written", fmt::format("{}: trajectory.csv, {}summary.json, drift.svg, timing.json", printable(directory),
-                                    result.ledger ? "torques.csv, " : ""));
-  return std::move(page).text();
+  page.entry("Files",
+             fmt::format("trajectory.csv, {}summary.json, drift.svg, timing.json", result.ledger ? "torques.csv, " : ""));
+  TextPage end(screen);
+  write_end(end, where, false);
+  return std::move(page).text() + std::string(picture) + std::move(end).text();
 }
 
 }  // namespace earthtop::tool

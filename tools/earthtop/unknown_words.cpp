@@ -30,7 +30,23 @@ std::string complaint_of_option(const NamedVerb& named, std::string_view argumen
   return fmt::format("{} has no option \"{}\"{}", named.path, printable(given), suggestion(bare(given), names, "--"));
 }
 
+/// Words that are looked for, and the verb that does what they mean.
+struct OtherWord {
+  std::string_view words, command, purpose;
+};
+constexpr OtherWord kOtherWords[] = {
+    {"plot draw picture animate show view", "earthtop report DIRECTORY", "makes a page with pictures and the top in motion"},
+    {"list ls examples", "earthtop example --list", "lists the scenarios that come with the program"},
+    {"simulate sim predict start", "earthtop run SCENARIO", "predicts a motion"},
+    {"fit measure estimate", "earthtop compare SCENARIO DATA --estimate NAME", "fits a scenario to data"},
+    {"validate lint", "earthtop check SCENARIO", "finds what is wrong in a scenario"},
+    {"init new create template", "earthtop example > top.json", "writes a scenario to begin with"}};
+
 std::string complaint_of_verb(const NamedVerb& outer, std::string_view word) {
+  if (outer.path == outer.verb.name)
+    for (const OtherWord& other : kOtherWords)
+      if ((" " + std::string(other.words) + " ").find(" " + std::string(word) + " ") != std::string::npos)
+        return fmt::format("there is no verb \"{}\"; {} {}", printable(word), other.command, other.purpose);
   std::vector<std::string_view> names;
   for (const Verb& verb : outer.verb.verbs) names.push_back(verb.name);
   return fmt::format("there is no verb \"{}\"{}", printable(word), suggestion(word, names));

@@ -58,6 +58,10 @@ Figure drift_figure(const RunResult& result);
 /// result that is not known to be one; WriteError if `dir` cannot be written to
 void check_output_directory(const std::filesystem::path& dir, const Scene& scene, bool force);
 
+/// The first of `dir`, `dir`-2, `dir`-3 and so on to which the results of a scene may be written without overwriting others.
+/// @throws as check_output_directory if that is none of the first thousand
+std::filesystem::path free_output_directory(const std::filesystem::path& dir, const Scene& scene);
+
 /// Thrown if the watch asked to stop before the first file was in place: no file has been changed.
 class Interrupted : public std::runtime_error {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "earthtop/scenario/scenario.hpp"
@@ -27,5 +28,10 @@ std::string advice_on_key(const std::string& name);
 
 /// Returns the JSON pointers of all single values, for `--set`; list elements have index 0.
 std::vector<std::string> scenario_pointers();
+
+/// Returns the JSON pointer of the key that a user names: "/site/latitude_deg", "site/latitude_deg", "site.latitude_deg", or the bare
+/// name of a key that only one section has; "mass_kg", which a rotor has, too, is the body's. A pointer is not examined.
+/// @throws ScenarioError for a bare name that no section has, or several have
+std::string scenario_pointer(std::string_view key);
 
 }  // namespace earthtop

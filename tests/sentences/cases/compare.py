@@ -643,8 +643,8 @@ OF_OPTIONS = [
     *told("plain: error: is not a directory; give the name of a file in one", {**both(), "plain": "a file"}, 2,
           command=PAIR + " --svg plain/x.svg"),
     *told("--reason belongs to --update, which writes a new reference", both(), 2, command=PAIR + " --reason better"),
-    *told("--allow-change numerics: must be a JSON pointer of the scenario, e.g. /numerics; / for all of it", both(), 2,
-          command=PAIR + " --allow-change numerics"),
+    *told('several sections have "locked"; say which: /gimbals/outer/locked, /gimbals/inner/locked', both(), 2,
+          command=PAIR + " --allow-change locked"),
 ]
 
 

@@ -338,7 +338,7 @@ WRITTEN = [
     Case(["run s.json --out r --quiet", "report r --out r/torques.csv", "run s.json --out r"],
          "its torques.csv does not belong to this scenario's results; choose another --out, or --force to remove it", status=2,
          set={"/motion/duration_s": 0.5}),
-    Case(["run s.json --out r --quiet", "report r --out r/torques.csv", "run s.json --out r --force"], "Written r: trajectory.csv",
+    Case(["run s.json --out r --quiet", "report r --out r/torques.csv", "run s.json --out r --force --long"], "Files trajectory.csv",
          set={"/motion/duration_s": 0.5}),
     Case("report r", "is damaged: it is not what was written, or a run is writing there; run the scenario again", None, status=2,
          files={**results(3, LONG), "r/summary.json": '{\n  "name": "a",\n  "checksum": "0123456789abcdef"\n}\n'}),

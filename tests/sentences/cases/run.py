@@ -7,7 +7,7 @@ from case import Case
 
 OMEGA = 7.292115e-5
 ARCSECOND = math.pi / 648000
-UNITS = {"°": math.pi / 180, "″": ARCSECOND, " milliarcsec": 1e-3 * ARCSECOND, " microarcsec": 1e-6 * ARCSECOND,
+UNITS = {"°": math.pi / 180, "″": ARCSECOND, " arcsec": ARCSECOND, " milliarcsec": 1e-3 * ARCSECOND, " microarcsec": 1e-6 * ARCSECOND,
          " m": 1, " mm": 1e-3, "mm": 1e-3, " µm": 1e-6, " nm": 1e-9}
 ROUGH = 0.03  # three digits are printed, and theory leaves out a little
 
@@ -19,7 +19,7 @@ def number(text, before, after=""):
 
 def size(text, before):
     """An angle or a length behind a piece of a text (rad or m)."""
-    found = re.search(re.escape(before) + r" ?([-+0-9.e]+)(°|″| milliarcsec| microarcsec| ?mm| µm| nm| m)", text)
+    found = re.search(re.escape(before) + r" ?([-+0-9.e]+)(°|″| arcsec| milliarcsec| microarcsec| ?mm| µm| nm| m)", text)
     return float(found.group(1)) * UNITS[found.group(2)]
 
 
@@ -35,7 +35,7 @@ def rows(text):
 
 
 ROWS = "out/trajectory.csv"
-RUN = "run s.json --out out --force"
+RUN = "run s.json --out out --force --long"
 
 
 # -- notes and how a run ended
@@ -80,10 +80,58 @@ ENDS = [
     Case(RUN, "earthtop: error: the drift error asked for, 1e-15 rad, was not reached: its bound is", status=3,
          set={"/motion/duration_s": 20, "/accuracy/drift_rad": 1e-15}, unless={"/accuracy/drift_rad": 1e-12},
          holds=lambda text: number(text, "its bound is", " rad") > 1e-15),
-    Case("run s.json --out out --partial", "some rows before are written, marked as not reliable", page=ROWS,
+    Case("run s.json --out out --partial --long", "some rows before are written, marked as not reliable", page=ROWS,
          set={"/effects/coulomb_torque_N_m": 0.01, "/earth/rotation_rate_rad_s": 0.5, "/motion/duration_s": 2,
               "/motion/output_step_s": 0.001},
          unless={"/effects": None}, holds=lambda text: "0" in {row["drift_reliable"] for row in rows(text)[:-1]}),
+]
+
+
+# -- the short text
+
+BRIEF = "run s.json --out out --force"
+
+
+def last_row(text):
+    return rows(text)[-1]
+
+
+def outer_turns(text):
+    """The outer angle's drift is that of the last row; the axis's, too."""
+    last = last_row(text)
+    return (near(size(text, "the outer gimbal's angle is"), abs(float(last["drift_outer_angle_rad"])), 1e-4)
+            and abs(size(text, "the spin axis is") - float(last["drift_axis_rad"])) < 1e-9)
+
+
+def inner_turns(text):
+    return near(size(text, "the inner gimbal's angle is"), abs(float(last_row(text)["drift_inner_angle_rad"])), 1e-4)
+
+
+def reliable_end(text):
+    """The drift is that of the last row that is marked as reliable."""
+    last = [row for row in rows(text) if row["drift_reliable"] == "1"][-1]
+    return near(size(text, "the spin axis is"), float(last["drift_axis_rad"]), 1e-4)
+
+
+SHORT = [
+    Case(BRIEF, "away from where it would be without the Earth's rotation: 1.140228028617e-03", page=ROWS, holds=reliable_end),
+    Case(BRIEF, ["the outer gimbal's angle is", "; the spin axis is 0 arcsec away"], "isotomeograph", page=ROWS,
+         holds=outer_turns, unless={"/gimbals/inner/locked": False}),
+    Case(BRIEF, "the inner gimbal's angle is", "isotomeograph", page=ROWS, holds=inner_turns,
+         set={"/gimbals/outer/locked": True, "/gimbals/inner/locked": False}, unless={"/gimbals/inner/locked": True}),
+    Case(BRIEF, "; later rows are not reliable", "hard/h11-chaotic", page=ROWS, holds=reliable_end,
+         unless={"/motion/duration_s": 2}),
+    Case(BRIEF, "with --long; or as a page that shows the top in motion: earthtop report out"),
+    Case(BRIEF + " --long", "minus the motion without: same attitude and same rates relative to the laboratory at release"),
+    Case("run s.json --long --out out --force", "later rows are written, marked as not reliable", "hard/h11-chaotic"),
+    Case(BRIEF + " --long", "as a page that shows the top in motion: earthtop report out"),
+    Case(["run s.json --quiet", "run s.json --set tilt_deg=21"], "Written out/toy-top-2, as out/toy-top holds other results"),
+    Case(["run s.json --quiet", "run s.json --set tilt_deg=21 --quiet"],
+         "note: the results are in out/toy-top-2, as out/toy-top holds other results"),
+    Case("report", "there are no results below out; run a scenario or a study first", status=2),
+    Case(["run s.json --quiet", "report --open"], "note: there is no desktop to show it", environment={"DISPLAY": ""}),
+    Case("run toytop", "there is no such file; a scenario that comes with the program is called toy-top", status=2),
+    Case("example toytop", 'there is no example "toytop"; did you mean toy-top?', status=2),
 ]
 
 
@@ -554,4 +602,4 @@ ANOTHER = [
          set=along_the_earth_s_axis(1e-18, 80), unless={"/numerics": {"method": "long_horizon"}}),
 ]
 
-CASES = ENDS + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + WHY_ROTOR + WHY_MASSES + TABLE + GYROSTAT + ANOTHER
+CASES = ENDS + SHORT + VERDICTS + GROWTH + DRIFT + TREND + THRESHOLD + DERIVATIVES + WHY + WHY_ROTOR + WHY_MASSES + TABLE + GYROSTAT + ANOTHER

@@ -61,7 +61,7 @@ void bind_scenario(py::module_& module) {
       py::arg("path"), "Reads a scenario file: (name for messages, text).");
   module.def("changed_text", &changed_text, py::arg("text"), py::arg("overrides"),
              "A scenario's text with changes in it; everything else stays as it is.");
-  module.def("advice_on_key", &advice_on_key, py::arg("name"), "What to do about a name that is no key of a scenario.");
+  module.def("scenario_pointer", &scenario_pointer, py::arg("key"), "The JSON pointer of the key that a user names.");
   module.def("scenario_pointers", &scenario_pointers, "JSON pointers of all single values of a scenario.");
 }
 

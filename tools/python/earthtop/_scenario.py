@@ -34,25 +34,8 @@ def json_text(value: Any) -> str:
     return json.dumps(value, default=plain, allow_nan=False, ensure_ascii=False)
 
 
-@functools.lru_cache(maxsize=None)
-def _pointers_of_names() -> Dict[str, Tuple[str, ...]]:
-    """The JSON pointers that end with a key, for all keys of scenarios."""
-    table: Dict[str, Tuple[str, ...]] = {}
-    for pointer in _core.scenario_pointers():
-        whole = re.sub(r"(/\d+)+$", "", pointer)  # a list instead of its elements
-        name = whole.rsplit("/", 1)[1]
-        if whole not in table.get(name, ()):
-            table[name] = table.get(name, ()) + (whole,)
-    return table
-
-
-# Their keys are meant by a bare name only where no other section has it: standard errors, which nobody means, and the parts that came
-# after 1.0, before which the name had one meaning.
-_SECOND_SECTIONS = ("uncertainty", "rotor", "gimbals", "moving_masses")
-
-
 def pointer_of(key: str) -> str:
-    """The JSON pointer that a user means: ``"/site/latitude_deg"``, ``"site/latitude_deg"``, or the bare name of a key that
+    """The JSON pointer that a user means: ``"/site/latitude_deg"``, ``"site/latitude_deg"``, ``"site.latitude_deg"``, or the bare name of a key that
     only one section has; ``"mass_kg"``, which a rotor has, too, is the body's.
 
     >>> pointer_of("latitude_deg")
@@ -60,20 +43,7 @@ def pointer_of(key: str) -> str:
     """
     if not isinstance(key, str):
         raise TypeError("a key is a string such as 'site/latitude_deg'")
-    if "/" in key:
-        return key if key.startswith("/") else "/" + key
-    found = _pointers_of_names().get(key, ())
-    meant = [pointer for pointer in found if pointer.split("/")[1] not in _SECOND_SECTIONS] or list(found)
-    depth = min((pointer.count("/") for pointer in meant), default=0)
-    meant = [pointer for pointer in meant if pointer.count("/") == depth]  # the body's mass, not that of its first part
-    if len(meant) == 1:
-        return meant[0]
-    if len(meant) > 1:
-        raise refuse(f"several sections have {key!r}; say which: {', '.join(meant)}")
-    if key in {pointer.split("/")[1] for pointer in _core.scenario_pointers()}:
-        return "/" + key
-    advice = _core.advice_on_key(key)
-    raise refuse(f"no key of a scenario is called {key!r}" + (f"; {advice}" if advice else ""))
+    return _core.scenario_pointer(key)
 
 
 def _steps(pointer: str) -> List[str]:

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Writes OUTPUT, a C++ source with the tables of the manuals below ROOT that `earthtop help TOPIC` prints.
+set(topics verdicts frames units glossary)
+set(file_verdicts tools/README.md)
+set(heading_verdicts "## Verdicts")
+set(file_frames scenarios/README.md)
+set(heading_frames "### Axes and angles")
+set(file_units scenarios/README.md)
+set(heading_units "### Units")
+set(file_glossary scenarios/README.md)
+set(heading_glossary "## Glossary")
+set(entries "")
+foreach(topic IN LISTS topics)
+  file(READ ${ROOT}/${file_${topic}} text)
+  string(FIND "${text}" "\n${heading_${topic}}\n" begin)
+  if(begin EQUAL -1)
+    message(FATAL_ERROR "${file_${topic}} has no heading ${heading_${topic}}")
+  endif()
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "\n| " begin)
+  string(SUBSTRING "${text}" ${begin} -1 text)
+  string(FIND "${text}" "\n\n" end)
+  string(SUBSTRING "${text}" 1 ${end} text)
+  string(APPEND entries "    {\"${topic}\", R\"table(${text})table\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"topics.hpp\"\n\nnamespace earthtop::tool {\n\n"
+  "std::span<const Topic> topics() {\n  static constexpr Topic kTopics[] = {\n${entries}  };\n  return kTopics;\n}\n\n"
+  "}  // namespace earthtop::tool\n")
