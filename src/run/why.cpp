@@ -171,6 +171,7 @@ void why::tell_on_pivot(Told& told) {
   if (told.theory == nullptr) {
     tell_pendulum(told);
     tell_gyrocompass(told);
+    tell_rubbed(told);
   } else if (agrees(*told.theory)) {
     if (told.theory->name == "precession_rate_change") tell_precession(told);
     if (told.theory->name == "free_gyro_axis_drift") tell_free_gyroscope(told);

@@ -17,6 +17,7 @@
 #include "earthtop/vectors.hpp"
 #include "run/earth_symbols.hpp"
 #include "run/largest.hpp"
+#include "run/slow_precession.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop::why {
@@ -110,11 +111,38 @@ inline void tell_earth_turns(Told& told) {
 /// The sense of a rate about Up.
 inline std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
 
+/// Tells the azimuth's drift in slow precession, where theory applies and agrees with the run.   @param tell_cause  tells what acts besides
+template <class TellCause>
+void tell_slow_drift(Told& told, const SlowPrecession& slow, const TellCause& tell_cause) {
+  const DriftRow& last = told.result.rows.back();
+  constexpr double kMostLeftOut = 0.2;
+  if (!last.drift_azimuth_rad) return;
+  const double computed = -*last.drift_azimuth_rad, bound = last.drift_axis_bound_rad / horizontal(last);
+  if (!(slow.left_out_rad <= kMostLeftOut * std::abs(slow.drift_rad)) ||
+      std::abs(computed - slow.drift_rad) > slow.left_out_rad + bound)
+    return;
+  const double up = told.W_L[2], turned = -up * told.reached_s();
+  tell_earth_turns(told);
+  tell_cause();
+  told.add("laboratory_turns",
+           fmt::format("The laboratory turns about its vertical at {}, {:.5g} rad/s {} seen from above, at whatever pace the axis "
+                       "precesses: seen from the laboratory its azimuth is therefore turned {} by {}.",
+                       told.vertical_rate(), std::abs(up), sense(up), sense(turned), angle_text(std::abs(turned))),
+           {{"laboratory_rate_rad_s", up}, {"turned_rad", turned}});
+  told.add("what_is_left",
+           fmt::format("With the lean of the cone and what the Earth adds to the release, the azimuth has drifted {} by {} in theory "
+                       "and by {} in this run.",
+                       sense(slow.drift_rad), angle_with_error(std::abs(slow.drift_rad), slow.left_out_rad),
+                       angle_with_error(std::abs(computed), bound)),
+           {{"predicted_rad", slow.drift_rad}, {"predicted_error_rad", slow.left_out_rad}, {"computed_rad", computed}});
+}
+
 /// The kinds of tops. Each adds its sentences, or none where its own theory does not apply.
 void tell_free_gyroscope(Told& told);
 void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
+void tell_rubbed(Told& told);
 void tell_caged(Told& told);
 void tell_with_rotor(Told& told);
 void tell_with_gimbals(Told& told);
