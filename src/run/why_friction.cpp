@@ -44,11 +44,12 @@ bool spin_agrees(const Told& told, double first, double last) {
 
 void tell_friction_slows(Told& told, double first, double last, const std::string& and_so) {
   const double seen = told.result.motion->spin_end_rad_s.reference.value;
-  told.add("friction_slows",
-           fmt::format("Friction slows the spin from {:.6g} rad/s to {:.5g} rad/s in theory, and to {:.5g} rad/s in this run{} It "
-                       "acts in both predictions alike, and by itself makes no drift.",
-                       first, last, seen, and_so),
-           {{"spin_first_rad_s", first}, {"predicted_spin_last_rad_s", last}, {"computed_spin_last_rad_s", seen}});
+  told.add(
+      "friction_slows",
+      fmt::format("Friction slows the spin from {:.6g} rad/s to {:.5g} rad/s in theory, and to {:.5g} rad/s in this run{} It "
+                  "acts in both predictions alike, and by itself makes no drift.",
+                  first, last, seen, and_so),
+      {{"spin_first_rad_s", first}, {"predicted_spin_last_rad_s", last}, {"computed_spin_last_rad_s", seen}});
 }
 
 /// A balanced gyroscope: friction along the axis does not turn it. Left out is the small circle of a release at rest in the laboratory, and
@@ -68,11 +69,12 @@ void tell_balanced(Told& told) {
   if (!(left_out <= kMostLeftOut * predicted) || std::abs(computed - predicted) > left_out + bound) return;
   tell_earth_turns(told);
   tell_friction_slows(told, spin, last, ".");
-  told.add("no_torque_across",
-           fmt::format("No torque acts across the axis, which therefore keeps its direction among the stars while the spin falls. "
-                       "Seen from the laboratory it turns about the celestial axis, from which it is {:.5g}° away.",
-                       away * 180 / std::numbers::pi),
-           {{"angle_from_celestial_pole_rad", away}});
+  told.add(
+      "no_torque_across",
+      fmt::format("No torque acts across the axis, which therefore keeps its direction among the stars while the spin falls. "
+                  "Seen from the laboratory it turns about the celestial axis, from which it is {:.5g}° away.",
+                  away * 180 / std::numbers::pi),
+      {{"angle_from_celestial_pole_rad", away}});
   told.add("what_is_left",
            fmt::format("The drift of the axis is {} in theory and {} in this run.", angle_with_error(predicted, left_out),
                        angle_with_error(computed, bound)),

@@ -124,16 +124,18 @@ void tell_slow_drift(Told& told, const SlowPrecession& slow, const TellCause& te
   const double up = told.W_L[2], turned = -up * told.reached_s();
   tell_earth_turns(told);
   tell_cause();
-  told.add("laboratory_turns",
-           fmt::format("The laboratory turns about its vertical at {}, {:.5g} rad/s {} seen from above, at whatever pace the axis "
-                       "precesses: seen from the laboratory its azimuth is therefore turned {} by {}.",
-                       told.vertical_rate(), std::abs(up), sense(up), sense(turned), angle_text(std::abs(turned))),
-           {{"laboratory_rate_rad_s", up}, {"turned_rad", turned}});
+  told.add(
+      "laboratory_turns",
+      fmt::format("The laboratory turns about its vertical at {}, {:.5g} rad/s {} seen from above, at whatever pace the axis "
+                  "precesses: seen from the laboratory its azimuth is therefore turned {} by {}.",
+                  told.vertical_rate(), std::abs(up), sense(up), sense(turned), angle_text(std::abs(turned))),
+      {{"laboratory_rate_rad_s", up}, {"turned_rad", turned}});
   told.add("what_is_left",
-           fmt::format("With the lean of the cone and what the Earth adds to the release, the azimuth has drifted {} by {} in theory "
-                       "and by {} in this run.",
-                       sense(slow.drift_rad), angle_with_error(std::abs(slow.drift_rad), slow.left_out_rad),
-                       angle_with_error(std::abs(computed), bound)),
+           fmt::format(
+               "With the lean of the cone and what the Earth adds to the release, the azimuth has drifted {} by {} in theory "
+               "and by {} in this run.",
+               sense(slow.drift_rad), angle_with_error(std::abs(slow.drift_rad), slow.left_out_rad),
+               angle_with_error(std::abs(computed), bound)),
            {{"predicted_rad", slow.drift_rad}, {"predicted_error_rad", slow.left_out_rad}, {"computed_rad", computed}});
 }
 
@@ -143,6 +145,9 @@ void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
 void tell_rubbed(Told& told);
+void tell_without_torque(Told& told);
+void tell_turn_over(Told& told);
+void tell_turns_with_the_stars(Told& told);
 void tell_caged(Told& told);
 void tell_with_rotor(Told& told);
 void tell_with_gimbals(Told& told);
