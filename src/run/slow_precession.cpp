@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "earthtop/elementary.hpp"
 
@@ -103,7 +104,7 @@ std::optional<SlowPrecession> slow_precession(const SlowTop& top, double duratio
   double t = 0, slowest = std::abs(first_rate), flattest = sine;
   for (int steps = 0; t < duration_s; ++steps) {
     const double p = steady(top, plain.u, plain.S)->p;
-    found.smallness = std::max(found.smallness, std::abs(top.I1 * p / plain.S));
+    found.smallness = std::max(found.smallness, std::abs(top.tilting * p / plain.S));
     slowest = std::min(slowest, std::abs(p));
     flattest = std::min(flattest, std::sqrt(1 - plain.u * plain.u));
     if (!(found.smallness <= kMostSmall) || !(flattest > kNearVertical) || steps >= kMostSteps) return std::nullopt;
@@ -116,14 +117,14 @@ std::optional<SlowPrecession> slow_precession(const SlowTop& top, double duratio
   }
   found.last_rad_s = steady(top, plain.u, plain.S)->p;
   found.last_spin_rad_s = plain.S / top.I3;
+  found.period_s = 2 * std::numbers::pi * top.tilting / std::abs(plain.S);
   found.turned_rad = plain.azimuth - start->azimuth;
   found.drift_rad = (rotating.azimuth - plain.azimuth) / part;
-  // Left out are terms of second order in smallness, the turn of the nutation's phase, by which the azimuth nutates otherwise at the end,
-  // and terms of second order in the Earth's rate.
+  // Left out are terms of second order in smallness, and in the Earth's rate.
   constexpr double kSecondOrder = 3;
   const double angle = Omega * duration_s, small = found.smallness;
-  found.left_out_rad = angle * (kSecondOrder * small * small + small * top.I3 / top.I1) / flattest +
-                       kSecondOrder * Omega * (1 + angle) / (slowest * flattest) * (small + Omega / slowest);
+  found.left_out_rad =
+      kSecondOrder * (angle * small * small + Omega * (1 + angle) / slowest * (small + Omega / slowest)) / flattest;
   return found;
 }
 

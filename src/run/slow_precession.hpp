@@ -14,6 +14,8 @@ namespace earthtop {
 /// are about the centre of mass.
 struct SlowTop {
   double I1 = 0, I3 = 0, mgl = 0;
+  double tilting =
+      0;  ///< the largest moment that resists a change of the tilt: on a table the centre of mass moves up and down, too
   AppliedTorques<double> applied;
   Vec3<double> W_L = Vec3<double>::Zero();  ///< the Earth's rate (rad/s), without a part to the East
   double cos_tilt = 0, azimuth_rad = 0;     ///< of the axis at release; the azimuth is counterclockwise from East
@@ -28,7 +30,8 @@ struct SlowPrecession {
   double turned_rad = 0;    ///< azimuth by which the axis has precessed
   double drift_rad = 0;     ///< drift of the azimuth, counterclockwise
   double left_out_rad = 0;  ///< size of what the theory leaves out of the drift
-  double smallness = 0;     ///< largest of |I1 p/(I3 w3)|, which the theory takes as small
+  double period_s = 0;      ///< of the nutation at the end
+  double smallness = 0;     ///< largest of |p/nutation|, which the theory takes as small
 };
 
 /// With p the rate of precession, S = I3 w3 and u = cos(tilt), a top without nutation has

@@ -87,6 +87,7 @@ void tell_precessing(Told& told) {
   const SlowTop top{told.I1,
                     told.I3,
                     told.mgl,
+                    told.I1,
                     told.scene.model<double>().applied,
                     told.W_L,
                     first.ref_axis_L[2],
@@ -97,10 +98,31 @@ void tell_precessing(Told& told) {
   if (!slow || !spin_agrees(told, release.w_XB_B[2], slow->last_spin_rad_s)) return;
   const std::string and_so = fmt::format("; the precession, {:.4g} rad/s at first, therefore quickens to {:.4g} rad/s.",
                                          std::abs(slow->first_rad_s), std::abs(slow->last_rad_s));
-  tell_slow_drift(told, *slow, [&] { tell_friction_slows(told, release.w_XB_B[2], slow->last_spin_rad_s, and_so); });
+  tell_slow_drift(told, top, *slow, [&] { tell_friction_slows(told, release.w_XB_B[2], slow->last_spin_rad_s, and_so); });
 }
 
 }  // namespace
+
+std::optional<AveragedDrift> averaged_drift(const RunResult& result, double period_s) {
+  constexpr double kPeriods = 3;
+  constexpr std::size_t kFewest = 12;
+  const std::vector<DriftRow>& looks = result.looks;
+  const double end = looks.back().t_s;
+  const std::size_t count = std::min(result.looks_a_window > 0 ? result.looks_a_window : looks.size(), looks.size());
+  const double from = std::max(end - kPeriods * period_s, looks[looks.size() - count].t_s), width = end - from;
+  double weights = 0, t = 0, azimuth = 0, bound = 0;
+  std::size_t used = 0;
+  for (std::size_t i = looks.size() - count; i < looks.size(); ++i) {
+    const DriftRow& look = looks[i];
+    if (look.t_s < from) continue;
+    if (!look.drift_azimuth_rad) return std::nullopt;
+    const double phase = real::sin(std::numbers::pi * (look.t_s - from) / width), weight = phase * phase;
+    weights += weight, t += weight * look.t_s, azimuth -= weight * *look.drift_azimuth_rad, ++used;
+    bound = std::max(bound, look.drift_axis_bound_rad / horizontal(look));
+  }
+  if (used < kFewest) return std::nullopt;
+  return AveragedDrift{t / weights, azimuth / weights, bound};
+}
 
 void tell_rubbed(Told& told) {
   if (!only_rubs(told)) return;
