@@ -80,7 +80,7 @@ std::optional<Slow> without_nutation(const SlowTop& top, double vertical, double
 
 std::optional<SlowPrecession> slow_precession(const SlowTop& top, double duration_s) {
   constexpr double kMostSmall = 0.15, kPhase = 0.2, kEarthPart = 1e-6, kNearVertical = 1e-3;
-  constexpr int kFewestSteps = 64, kMostSteps = 20000;
+  constexpr int kFewestSteps = 64, kMostSteps = 4000;
   const double sine = std::sqrt(std::max(0.0, 1 - top.cos_tilt * top.cos_tilt)), Omega = norm(top.W_L);
   if (!(sine > kNearVertical) || !(Omega > 0) || top.mgl == 0) return std::nullopt;
   const Vec3<double> n_L(sine * real::cos(top.azimuth_rad), sine * real::sin(top.azimuth_rad), top.cos_tilt);
