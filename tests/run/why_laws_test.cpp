@@ -502,6 +502,7 @@ std::vector<double> all_numbers(const RunResult& result) {
 TEST(WhyLaws, TheRowsChangeNothing) {
   RandomNumbers draw(81);
   Scenario rubbed = rubbed_top(draw), nut = wing_nut(20, kEarthRateWgs84), table = top_on_table(draw, ContactLaw::frictionless);
+  table.site.latitude_deg = 45, table.release.tilt_deg = 20, table.release.azimuth_deg = 90, table.release.spin_rad_s = 200;
   rubbed.duration_s = 12, rubbed.release.spin_rad_s = 400, rubbed.release.tilt_deg = 40,
   rubbed.effects.applied.viscous_N_m_s = 5e-7;
   Scenario unequal = rubbed;
