@@ -18,6 +18,18 @@ std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<Dr
 std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& looks,
                                                    const DriftSummary& drift);
 
+/// The mean precession of a top with unequal moments across its axis, on which it spins: to first order in their difference it is that of a
+/// symmetric top whose moment is the inverse of the mean of their inverses.
+struct MeanPrecession {
+  double moment_kg_m2 = 0;      ///< of that symmetric top
+  double precession_rad_s = 0;  ///< without the Earth, counterclockwise about Up
+  double change_rad_s = 0;      ///< by the Earth
+  double left_out_rad_s = 0;    ///< size of what the theory leaves out of the change
+};
+/// @param scene  plain, with the centre of mass on body axis 3 and no products of inertia   @returns nothing where the axis is vertical, or the
+/// moments are too different
+std::optional<MeanPrecession> mean_precession_of_unequal_moments(const Scene& scene);
+
 /// A swing of the azimuth drift's rate that is slower than the run.
 struct SlowSwing {
   double rate_rad_s = 0;       ///< by how much the rate may swing; infinite where that is not known; 0: there is no such swing

@@ -169,6 +169,32 @@ constexpr double kSmall = 0.1;
 
 }  // namespace
 
+std::optional<MeanPrecession> mean_precession_of_unequal_moments(const Scene& scene) {
+  constexpr double kMostUnequal = 0.15, kOfDifference = 2;
+  Body<double> body = scene.body<double>();
+  Release<double> release = scene.release<double>();
+  const Vec3<double> moments(body.I_BP_B(0, 0), body.I_BP_B(1, 1), body.I_BP_B(2, 2));
+  const double moment = 2 / (1 / moments[0] + 1 / moments[1]);
+  const double unequal = std::abs(moments[0] - moments[1]) / (moments[0] + moments[1]);
+  if (unequal > kMostUnequal) return std::nullopt;
+  for (const int i : {0, 1}) {  // with the same angular momentum
+    release.w_XB_B[i] *= moments[i] / moment;
+    body.I_BP_B(i, i) = moment;
+  }
+  const TopOnEarth top{{moment, moments[2], scene.axial_gravity_torque_N_m()},
+                       body,
+                       release,
+                       Vec3<double>(scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site())),
+                       Vec3<double>(rotation_matrix(release.q_LB).col(2))};
+  if (real::hypot(top.n_L[0], top.n_L[1]) < 1e-9) return std::nullopt;
+  const std::optional<RateChange> change = precession_rate_change(top);
+  const std::optional<MeanRates> rates = mean_rates(top_constants(body, top.top.mgl, release.q_LB, release.w_XB_B));
+  if (!change || !rates) return std::nullopt;
+  return MeanPrecession{
+      moment, rates->precession_rad_s, change->value,
+      change->left_out + kOfDifference * unequal * (std::abs(change->value + top.W_L[2]) + unequal * norm(top.W_L))};
+}
+
 SlowSwing unseen_swing(const Scene& scene, double duration_s) {
   constexpr double kSeen = 1.5;  // swings of which the run has this many can be told from the trend
   const auto is_unseen = [&](double rate) { return rate != 0 && std::abs(rate) * duration_s <= kSeen * 2 * std::numbers::pi; };

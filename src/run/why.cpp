@@ -14,6 +14,7 @@
 #include "earthtop/model/body.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/support.hpp"
+#include "run/assessment.hpp"
 #include "run/support_reports.hpp"
 #include "run/why_told.hpp"
 
@@ -155,6 +156,47 @@ bool agrees(const TheoryReport& theory) {
              theory.predicted_error + theory.computed_error.value_or(0) + kRounding * std::abs(theory.predicted);
 }
 
+/// A body whose moments across the axis are not equal: as it spins, the mean of their inverses counts.
+void tell_unequal_moments(Told& told) {
+  const Body<double>& body = told.scene.body<double>();
+  const Mat3<double>& inertia = body.I_BP_B;
+  const Vec3<double>& center = body.p_PBcm_B;
+  const std::optional<SecularDrift>& trend = told.result.drift.secular;
+  if (!told.scene.is_plain() || told.mgl == 0 || inertia(0, 1) != 0 || inertia(0, 2) != 0 || inertia(1, 2) != 0 ||
+      center[0] != 0 || center[1] != 0 || !trend || trend->of_window || !trend->azimuth_rate_rad_s || !trend->turns_seen)
+    return;
+  const std::optional<MeanPrecession> mean = mean_precession_of_unequal_moments(told.scene);
+  if (!mean) return;
+  constexpr double kMostLeftOut = 0.3;  // of the Earth's rate
+  const double p = mean->precession_rad_s, window_s = trend->window_s[1] - trend->window_s[0];
+  const double seen = 2 * std::numbers::pi * *trend->turns_seen / window_s;
+  constexpr double kFaster = 10, kSeen = 0.02;
+  if (!(std::abs(p) > kFaster * told.Omega()) || std::abs(std::abs(seen) - std::abs(p)) > kSeen * std::abs(p)) return;
+  const TheoryReport theory{"precession_rate_change",
+                            "",
+                            "rad/s",
+                            mean->change_rad_s,
+                            -*trend->azimuth_rate_rad_s,
+                            mean->left_out_rad_s,
+                            mean->left_out_rad_s <= kMostLeftOut * told.Omega(),
+                            trend->azimuth_rate_bound_95_rad_s};
+  if (!agrees(theory) || *theory.computed_error > kMostLeftOut * told.Omega()) return;
+  told.theory = &theory;
+  tell_earth_turns(told);
+  told.add(
+      "unequal_moments",
+      fmt::format(
+          "The moments across the axis, {:.4g} and {:.4g} kg m², are not equal. As the body spins, the mean of their inverses "
+          "counts, that of {:.4g} kg m²: with it the precession is {:.4g} rad/s in theory, and it is {:.4g} rad/s in this run.",
+          inertia(0, 0), inertia(1, 1), mean->moment_kg_m2, std::abs(p), std::abs(seen)),
+      {{"moment_kg_m2", mean->moment_kg_m2},
+       {"predicted_precession_rad_s", std::abs(p)},
+       {"computed_precession_rad_s", std::abs(seen)}});
+  tell_laboratory_turns(told, p);
+  tell_what_is_left(told, p);
+  told.theory = nullptr;
+}
+
 }  // namespace
 }  // namespace why
 
@@ -168,24 +210,29 @@ ConeLean cone_lean(double p, double axial, double cos_tilt, double sin_tilt, dou
 }
 
 void why::tell_on_pivot(Told& told) {
-  if (told.theory == nullptr) {
+  if (told.scene.symmetry_axis() != 2) {
+    tell_turns_with_the_stars(told);
+    if (told.sentences.empty()) tell_unequal_moments(told);
+  } else if (told.theory == nullptr) {
     tell_pendulum(told);
     tell_gyrocompass(told);
+    tell_rubbed(told);
   } else if (agrees(*told.theory)) {
     if (told.theory->name == "precession_rate_change") tell_precession(told);
     if (told.theory->name == "free_gyro_axis_drift") tell_free_gyroscope(told);
     if (told.theory->name == "sleeping_top_lean_south") tell_sleeping_top(told);
   }
+  tell_without_torque(told);
   tell_caged(told);
 }
 
 std::vector<WhySentence> why_sentences(const RunResult& result) {
   const VerdictReport& verdict = result.verdict;
   const Scene& scene = result.modelled;
-  if (result.status != RunStatus::completed || result.looks.size() < 3 || verdict.verdict != Verdict::reliable ||
-      verdict.from_s || !verdict.intervals.empty() || scene.scenario().platform || scene.scenario().effects.tide ||
-      !scene.scenario().effects.all_on() || (scene.symmetry_axis() != 2 && !scene.support().has_moving_parts()) ||
-      scene.rotation_rate_rad_s() == 0)
+  const bool is_trusted = verdict.verdict == Verdict::reliable && !verdict.from_s && verdict.intervals.empty();
+  if (result.status != RunStatus::completed || result.looks.size() < 3 ||
+      (!is_trusted && verdict.verdict != Verdict::unstable) || scene.scenario().platform || scene.scenario().effects.tide ||
+      !scene.scenario().effects.all_on() || scene.rotation_rate_rad_s() == 0)
     return {};
   const Body<double>& body = scene.body<double>();
   why::Told told{result,
@@ -196,7 +243,10 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
                  body.I_BP_B(2, 2),
                  scene.axial_gravity_torque_N_m(),
                  {}};
-  reports_of(scene).tell(told);
+  if (is_trusted)
+    reports_of(scene).tell(told);
+  else
+    why::tell_turn_over(told);
   return std::move(told.sentences);
 }
 

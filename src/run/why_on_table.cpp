@@ -112,12 +112,15 @@ void tell_walker(Told& told, double spin, double radius) {
 
 void tell_on_table(Told& told) {
   const double spin = told.scene.release<double>().w_XB_B[2], radius = told.scene.scenario().contact->tip_radius_m;
-  if (!rolls_and_spins_upright(told) || spin == 0 || std::abs(told.W_L[1]) <= kNone * told.Omega()) return;
   constexpr double kEqual = 1e-9;
-  if (told.mgl == 0 && std::abs(told.I1 - told.I3) <= kEqual * told.I3)
-    tell_ball(told, spin, radius);
-  else if (told.mgl > 0)
-    tell_walker(told, spin, radius);
+  if (told.scene.symmetry_axis() == 2 && rolls_and_spins_upright(told) && spin != 0 &&
+      std::abs(told.W_L[1]) > kNone * told.Omega()) {
+    if (told.mgl == 0 && std::abs(told.I1 - told.I3) <= kEqual * told.I3)
+      tell_ball(told, spin, radius);
+    else if (told.mgl > 0)
+      tell_walker(told, spin, radius);
+  }
+  if (told.sentences.empty()) tell_sliding(told);
 }
 
 }  // namespace earthtop::why

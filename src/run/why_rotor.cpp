@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the bearing or the motor of a rotor does to the body's axis, and what it does not do.
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -97,27 +96,6 @@ void tell_coriolis_torques(Told& told) {
                "turn in the body alone it is {:.3g} N m at most.",
                all, inside),
            {{"coriolis_torque_N_m", all}, {"on_rotor_N_m", inside}});
-}
-
-/// Without a torque, and with the same rates in space, both predictions are one motion among the stars.
-void tell_turns_with_the_stars(Told& told) {
-  const Scenario& scenario = told.scene.scenario();
-  const bool is_balanced = told.scene.site().gravity_m_s2 == 0 ||
-                           (!masses_move(scenario) && told.scene.body<double>().p_PBcm_B == Vec3<double>::Zero());
-  const DriftRow& last = told.result.rows.back();
-  const double turned = told.Omega() * last.t_s;
-  constexpr double kHalfTurn = std::numbers::pi, kRounding = 1e-13;
-  if (!is_balanced || scenario.release.rates_relative_to != RatesRelativeTo::inertial || scenario.effects.applied.any() ||
-      !(turned < kHalfTurn) || std::abs(last.drift_attitude_rad - turned) > last.drift_attitude_bound_rad + kRounding * turned)
-    return;
-  const char* const parts = masses_move(scenario) ? "the body and what moves in it" : "body and rotor";
-  told.add("turns_with_the_stars",
-           fmt::format("Nothing outside acts on {}, and both predictions start with the same rates in "
-                       "space: there they are "
-                       "the same motion, whatever happens between {}. Seen from the laboratory the attitude turns with the "
-                       "stars, by |Ω| t = {}, and by {} in this run.",
-                       parts, parts, angle_text(turned, 10), angle_text(last.drift_attitude_rad, 10)),
-           {{"predicted_rad", turned}, {"computed_rad", last.drift_attitude_rad}});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "earthtop/vectors.hpp"
 #include "run/earth_symbols.hpp"
 #include "run/largest.hpp"
+#include "run/slow_precession.hpp"
 #include "text/number_words.hpp"
 
 namespace earthtop::why {
@@ -110,16 +112,57 @@ inline void tell_earth_turns(Told& told) {
 /// The sense of a rate about Up.
 inline std::string_view sense(double rate) { return rate > 0 ? "counterclockwise" : "clockwise"; }
 
+/// The azimuth's drift (rad, counterclockwise) at the end, averaged over a few nutations, with the time that belongs to it.
+struct AveragedDrift {
+  double t_s, azimuth_rad, bound_rad;
+};
+std::optional<AveragedDrift> averaged_drift(const RunResult& result, double period_s);
+
+/// Tells the azimuth's drift in slow precession, where theory applies and agrees with the run.
+/// @param slow  to the end of the run   @param tell_cause  tells what acts besides
+template <class TellCause>
+void tell_slow_drift(Told& told, const SlowTop& top, const SlowPrecession& slow, const TellCause& tell_cause) {
+  constexpr double kMostLeftOut = 0.2;
+  const std::optional<AveragedDrift> computed = averaged_drift(told.result, slow.period_s);
+  const std::optional<SlowPrecession> then = computed ? slow_precession(top, computed->t_s) : std::nullopt;
+  if (!then || !(then->left_out_rad <= kMostLeftOut * std::abs(then->drift_rad)) ||
+      std::abs(computed->azimuth_rad - then->drift_rad) > then->left_out_rad + computed->bound_rad)
+    return;
+  const double up = told.W_L[2], turned = -up * computed->t_s;
+  tell_earth_turns(told);
+  tell_cause();
+  told.add(
+      "laboratory_turns",
+      fmt::format("The laboratory turns about its vertical at {}, {:.5g} rad/s {} seen from above, at whatever pace the axis "
+                  "precesses: seen from the laboratory its azimuth is therefore turned {} by {} in {:.5g} s.",
+                  told.vertical_rate(), std::abs(up), sense(up), sense(turned), angle_text(std::abs(turned)), computed->t_s),
+      {{"laboratory_rate_rad_s", up}, {"turned_rad", turned}, {"t_s", computed->t_s}});
+  told.add("what_is_left",
+           fmt::format(
+               "With the lean of the cone and what the Earth adds to the release, and apart from the nutation, the azimuth has "
+               "drifted {} by {} in theory and by {} in this run.",
+               sense(then->drift_rad), angle_with_error(std::abs(then->drift_rad), then->left_out_rad),
+               angle_text(std::abs(computed->azimuth_rad))),
+           {{"predicted_rad", then->drift_rad},
+            {"predicted_error_rad", then->left_out_rad},
+            {"computed_rad", computed->azimuth_rad}});
+}
+
 /// The kinds of tops. Each adds its sentences, or none where its own theory does not apply.
 void tell_free_gyroscope(Told& told);
 void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
+void tell_rubbed(Told& told);
+void tell_without_torque(Told& told);
+void tell_turn_over(Told& told);
+void tell_turns_with_the_stars(Told& told);
 void tell_caged(Told& told);
 void tell_with_rotor(Told& told);
 void tell_with_gimbals(Told& told);
 void tell_with_masses(Told& told);
 void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
+void tell_sliding(Told& told);
 
 }  // namespace earthtop::why
