@@ -15,6 +15,16 @@
 #include "text/short_number.hpp"
 
 namespace earthtop::report {
+
+std::optional<PlaneTurn> plane_turn(const Run& run) {
+  const auto with = run.number("/motion/swing/plane_rate_rad_s"), without = run.number("/motion/swing/apsidal_rate_rad_s"),
+             reached = run.number("/outcome/reached_s");
+  if (!with || !without || !reached) return std::nullopt;
+  const double bound = run.number("/motion/swing/plane_rate_bound_rad_s").value_or(kNoNumber) +
+                       run.number("/motion/swing/apsidal_rate_bound_rad_s").value_or(kNoNumber);
+  return PlaneTurn{(*with - *without) * *reached, bound * *reached};
+}
+
 namespace {
 
 /// The last drift that can be trusted; of a run without one the last of all.
@@ -47,14 +57,28 @@ std::string duration_html(double t_s) {
   return t_s == 1 ? element("a second") : element(powers_html(fmt::format("{:.4g}", t_s))) + " s";
 }
 
+/// The angle that the title tells: of the axis, or, of a pendulum, of its plane of swing, or, where the axis stays, about it.
+struct ToldAngle {
+  double rad, bound_rad;
+  ReadableUnit unit;
+  enum { of_axis, of_plane, about_axis } which;
+};
+ToldAngle told_angle(const Run& run, const LastDrift& drift) {
+  if (const auto turn = plane_turn(run); turn && turn->rad != 0 && run.word("/drift/verdict") == "reliable")
+    return {std::abs(turn->rad), turn->bound_rad, angle_unit(1), ToldAngle::of_plane};
+  const auto turned = run.number("/drift/reliable/attitude_rad"), bound = run.number("/drift/reliable/attitude_bound_rad");
+  if (drift.is_known && drift.axis_rad == 0 && turned && *turned > 0)
+    return {*turned, bound.value_or(kNoNumber), angle_unit(*turned), ToldAngle::about_axis};
+  return {drift.axis_rad, drift.bound_rad, angle_unit(drift.axis_rad), ToldAngle::of_axis};
+}
+
 std::string short_html(double si, double error_si, double per_si) {
   const double error = std::isfinite(error_si) ? error_si : 0;
   return fmt::format("<data value=\"{}\">{}</data>", si, powers_html(short_number(si * per_si, error * per_si)));
 }
 
 /// "235.2 arcseconds".
-std::string angle_in_words(double rad, double error_rad) {
-  const ReadableUnit unit = angle_unit(rad);
+std::string angle_in_words(double rad, double error_rad, const ReadableUnit& unit) {
   return short_html(rad, error_rad, unit.per_si) + " " + std::string(unit.name);
 }
 
@@ -169,26 +193,18 @@ std::string all_digits(const Run& run, const LastDrift& drift) {
 
 }  // namespace
 
-std::optional<PlaneTurn> plane_turn(const Run& run) {
-  const auto with = run.number("/motion/swing/plane_rate_rad_s"), without = run.number("/motion/swing/apsidal_rate_rad_s"),
-             reached = run.number("/outcome/reached_s");
-  if (!with || !without || !reached) return std::nullopt;
-  const double bound = run.number("/motion/swing/plane_rate_bound_rad_s").value_or(kNoNumber) +
-                       run.number("/motion/swing/apsidal_rate_bound_rad_s").value_or(kNoNumber);
-  return PlaneTurn{(*with - *without) * *reached, bound * *reached};
-}
-
 std::string finding_html(const Run& run) {
   const LastDrift drift = last_drift(run);
   const std::string name = name_of_top(run), verdict = run.word("/drift/verdict");
   const bool is_noise = verdict == "noise_floor" && std::isfinite(drift.axis_rad) && std::isfinite(drift.bound_rad);
   if (is_noise)
     return fmt::format("In {} the Earth turns this {}'s axis by less than {}", duration_html(drift.at_s), name,
-                       angle_in_words(drift.axis_rad + drift.bound_rad, drift.bound_rad));
+                       angle_in_words(drift.axis_rad + drift.bound_rad, drift.bound_rad,
+                                      angle_unit(drift.axis_rad + drift.bound_rad)));
   if (!drift.is_known) return fmt::format("How far the Earth turns this {}'s axis is not known", name);
-  if (const auto turn = plane_turn(run); turn && verdict == "reliable" && turn->rad != 0)
-    return fmt::format("In {} the Earth turns this {}'s plane of swing by {}", duration_html(drift.at_s), name,
-                       angle_in_words(std::abs(turn->rad), turn->bound_rad));
+  const ToldAngle told = told_angle(run, drift);
+  const std::string angle = angle_in_words(told.rad, told.bound_rad, told.unit), time = duration_html(drift.at_s);
+  if (told.which == ToldAngle::of_plane) return fmt::format("In {} the Earth turns this {}'s plane of swing by {}", time, name, angle);
   std::string beyond;
   if (verdict != "reliable") {
     if (drift.at_s < run.number("/outcome/reached_s").value_or(drift.at_s))
@@ -196,20 +212,22 @@ std::string finding_html(const Run& run) {
     else
       beyond = verdict == "marginal" ? ", at the limit of its stability" : ", as would any other disturbance";
   }
-  if (drift.axis_rad == 0)
-    return fmt::format("In {} nothing turns this {}'s axis off course", duration_html(drift.at_s), name) + beyond;
-  return fmt::format("In {} the Earth turns this {}'s axis {} off course", duration_html(drift.at_s), name,
-                     angle_in_words(drift.axis_rad, drift.bound_rad)) +
-         beyond;
+  if (told.which == ToldAngle::about_axis)
+    return fmt::format("In {} the Earth turns this {} {} about its axis", time, name, angle) + beyond;
+  if (told.rad == 0) return fmt::format("In {} nothing turns this {}'s axis off course", time, name) + beyond;
+  return fmt::format("In {} the Earth turns this {}'s axis {} off course", time, name, angle) + beyond;
 }
 
 std::string measure_html(const Run& run) {
   const LastDrift drift = last_drift(run);
   if (!drift.is_known) return "No row of this run can be trusted.";
+  const ToldAngle told = told_angle(run, drift);
+  if (told.which == ToldAngle::about_axis)
+    return "Its axis stays in its place: " + short_length(2 * real::sin(told.rad / 2), told.bound_rad) + " at a metre from the axis.";
   if (drift.axis_rad == 0) return "Both predictions end in the same place.";
   const std::string sun = beside_the_sun(drift.axis_rad);
   std::string angle;
-  if (plane_turn(run)) {
+  if (told.which == ToldAngle::of_plane) {
     const ReadableUnit unit = angle_unit(drift.axis_rad);
     angle = " At the end its axis is " + short_html(drift.axis_rad, drift.bound_rad, unit.per_si) + escaped(unit.symbol) +
             " off course" + (sun.empty() ? "." : ", about " + sun + ".");
@@ -227,9 +245,8 @@ std::string trust_html(const Run& run) {
                                                 number_html(run.number("/outcome/reached_s").value_or(0), "s"));
   std::string sure;
   if (drift.is_known && std::isfinite(drift.bound_rad)) {
-    const auto turn = verdict == "reliable" ? plane_turn(run) : std::nullopt;
-    const double number = turn ? turn->rad : drift.axis_rad, bound = turn ? turn->bound_rad : drift.bound_rad;
-    sure = "<span class=\"sure\">± " + error_html(number, bound, angle_unit(number)) + "</span>";
+    const ToldAngle told = told_angle(run, drift);
+    sure = "<span class=\"sure\">± " + error_html(told.rad, told.bound_rad, told.unit) + "</span>";
   }
   const std::string times = untrusted_times(run), digits = drift.is_known ? all_digits(run, drift) : "";
   if (verdict == "reliable")
