@@ -15,7 +15,7 @@ namespace {
 constexpr double kHeight = 14, kGap = 5, kEndGap = 8;  // of a text, and between it and its line or its dot (px)
 constexpr double kWide = 1.15;                         // on a tablet letters are larger
 constexpr double kClear = 7;      // as near as this another line would seem to be the one that is named (px)
-constexpr double kLevel = 30;     // a line that falls or rises by more along its label is not seen as its line (px)
+constexpr double kLevel = 60;     // a line that falls or rises by more along its label is not seen as its line (px)
 constexpr double kFarthest = 60;  // from a dot to its text (px)
 constexpr double kStep = 12;      // between the places that are tried (px)
 

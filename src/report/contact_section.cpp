@@ -78,9 +78,8 @@ std::string path_html(const Run& run, Page& page) {
                                 : fmt::format("The prediction to scale, its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
   const std::string caption = fmt::format(
-      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end. {}",
-      scale, length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3),
-      run.drawn.a_window > 0 ? run.played_words : run.drawn_words);
+      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end.{}", scale,
+      length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3), run.drawn.a_window > 0 ? " " + run.played_words : "");
   return page.picture("path", path_svg(picture), caption, path_table(run));
 }
 
@@ -242,18 +241,16 @@ std::string balances_html(const Run& run) {
 
 }  // namespace
 
-std::string tip_drift_html(const Run& run, Page& page) {
+std::string tip_drift_html(const Run& run, Page& page) { return seen_html(run) + path_html(run, page); }
+
+std::string contact_section(const Run& run, Page& page) {
   const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
-  std::string html = seen_html(run) + path_html(run, page) +
-                     page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
+  std::string html = page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
                                 "The distance of the two contact points and its parts. " + run.drawn_words);
   if (!run.listed.rows.empty() && run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
     html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
-  return html;
-}
-
-std::string contact_section(const Run& run, Page& page) {
-  return page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
+  return html +
+         page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
                     "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words) +
          events_html(run) + balances_html(run) + changes_html(run) +
          page.chart("tip-bound", tip_bound_figure(run), "On a logarithmic scale, at the output rows.");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/drift_chart.hpp"
 
+#include "report/html.hpp"
+
 namespace earthtop::report {
 
 DriftCurves drift_curves(const Run& run, const Motion& motion) {
@@ -23,7 +25,9 @@ DriftCurves drift_curves(const Run& run, const Motion& motion) {
       curves.axis_L[k].push_back(row.value[axis + k]);
       curves.ref_axis_L[k].push_back(row.value[ref_axis + k]);
     }
-  curves.azimuth_rate_rad_s = run.number("/drift/secular/azimuth_rate_rad_s");
+  const Json is_mean = run.results.summary->value(Json::json_pointer("/drift/secular/mean_of_window"), Json());
+  if (!is_mean.is_boolean() || !is_mean.get<bool>())
+    curves.azimuth_rate_rad_s = run.number("/drift/secular/azimuth_rate_rad_s");
   const auto angle = run.number("/drift/reliable/axis_rad"), at = run.number("/drift/reliable/at_s");
   if (angle && at && *at > 0) curves.end = {*at, *angle, run.number("/drift/reliable/axis_bound_rad").value_or(kNoNumber)};
   return curves;

@@ -116,7 +116,8 @@ std::string drift_events_html(const Run& run) {
 std::string drift_section(const Run& run, Page& page) {
   const DriftCurves drawn = drift_curves(run, run.drawn);
   Figure figure = drift_figure(drawn, drawn);
-  std::string caption = "The angle between the two axes and its part in tilt";
+  std::string caption = "The angle between the two axes";
+  if (figure.panels[0].lines.size() > 1) caption += " and its part in tilt";
   if (figure.panels.size() > 1)
     caption += drawn.azimuth_rate_rad_s ? ", and what is left of the azimuth without its secular line" : ", and the azimuth";
   return page.chart("parts", std::move(figure), drift_figure(drift_curves(run, run.listed), drawn),

@@ -198,13 +198,14 @@ std::string finding_html(const Run& run) {
   const std::string name = name_of_top(run), verdict = run.word("/drift/verdict");
   const bool is_noise = verdict == "noise_floor" && std::isfinite(drift.axis_rad) && std::isfinite(drift.bound_rad);
   if (is_noise)
-    return fmt::format("In {} the Earth turns this {}'s axis by less than {}", duration_html(drift.at_s), name,
-                       angle_in_words(drift.axis_rad + drift.bound_rad, drift.bound_rad,
-                                      angle_unit(drift.axis_rad + drift.bound_rad)));
+    return fmt::format(
+        "In {} the Earth turns this {}'s axis by less than {}", duration_html(drift.at_s), name,
+        angle_in_words(drift.axis_rad + drift.bound_rad, drift.bound_rad, angle_unit(drift.axis_rad + drift.bound_rad)));
   if (!drift.is_known) return fmt::format("How far the Earth turns this {}'s axis is not known", name);
   const ToldAngle told = told_angle(run, drift);
   const std::string angle = angle_in_words(told.rad, told.bound_rad, told.unit), time = duration_html(drift.at_s);
-  if (told.which == ToldAngle::of_plane) return fmt::format("In {} the Earth turns this {}'s plane of swing by {}", time, name, angle);
+  if (told.which == ToldAngle::of_plane)
+    return fmt::format("In {} the Earth turns this {}'s plane of swing by {}", time, name, angle);
   std::string beyond;
   if (verdict != "reliable") {
     if (drift.at_s < run.number("/outcome/reached_s").value_or(drift.at_s))
@@ -214,7 +215,8 @@ std::string finding_html(const Run& run) {
   }
   if (told.which == ToldAngle::about_axis)
     return fmt::format("In {} the Earth turns this {} {} about its axis", time, name, angle) + beyond;
-  if (told.rad == 0) return fmt::format("In {} nothing turns this {}'s axis off course", time, name) + beyond;
+  if (told.rad == 0)
+    return fmt::format("In {} nothing turns this {}'s axis off course", time, name) + (beyond.starts_with(';') ? beyond : "");
   return fmt::format("In {} the Earth turns this {}'s axis {} off course", time, name, angle) + beyond;
 }
 
@@ -223,7 +225,8 @@ std::string measure_html(const Run& run) {
   if (!drift.is_known) return "No row of this run can be trusted.";
   const ToldAngle told = told_angle(run, drift);
   if (told.which == ToldAngle::about_axis)
-    return "Its axis stays in its place: " + short_length(2 * real::sin(told.rad / 2), told.bound_rad) + " at a metre from the axis.";
+    return "Its axis stays in its place: " + short_length(2 * real::sin(told.rad / 2), told.bound_rad) +
+           " at a metre from the axis.";
   if (drift.axis_rad == 0) return "Both predictions end in the same place.";
   const std::string sun = beside_the_sun(drift.axis_rad);
   std::string angle;

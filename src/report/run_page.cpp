@@ -17,6 +17,7 @@
 #include "report/contact_section.hpp"
 #include "report/drift_section.hpp"
 #include "report/finding.hpp"
+#include "report/first_figure.hpp"
 #include "report/motion_data.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
@@ -231,13 +232,17 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
   if (run.scene && !run.has_contact) page.data()["torques"] = torques_of(run, model_of_rows<double>(*run.scene));
   const std::string played = "<p class=\"note\">" + escaped(run.played_words) + "</p>\n";
-  page.section("motion", "The top in motion", kAnimation + played);
-  page.section("drift", "Drift", drift_section(run, page) + drift_events_html(run));
+  const auto add_drift = [&] { page.section("drift", "Drift", drift_section(run, page) + drift_events_html(run)); };
+  const bool is_told = add_first_figure(run, page);
+  // Where the charts show the same times, their captions say so.
+  page.section("motion", "The top in motion", kAnimation + (run.played_words == run.drawn_words ? "" : played));
+  if (!is_told) add_drift();
   if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   page.fold("protocol", "Protocol");
+  if (is_told) add_drift();
   if (run.scene) page.section("your-top", "Your top", top_section(run));
-  if (run.has_contact) page.section("table", "Force of the table", contact_section(run, page));
+  if (run.has_contact) page.section("table", "Contact with the table", contact_section(run, page));
   page.section("bound", "Trend and error", bound_section(run, page));
   page.section("sphere", "Path of the axis", kSphere + played);
   page.section("torques", "Torques", ledger_section(run, page));

@@ -21,7 +21,7 @@ struct DriftCurves {
   bool is_all_reliable = true;               ///< at these times and at the output rows
   std::size_t a_window = 0;                  ///< as RunResult::looks_a_window
   bool is_resolved = false;                  ///< whether the times resolve the fastest motion of the axes
-  std::optional<double> azimuth_rate_rad_s;  ///< of the secular line
+  std::optional<double> azimuth_rate_rad_s;  ///< of the secular line; none where it is the mean of the run and no more
   /// The last drift that can be trusted.
   struct End {
     double t_s, axis_rad, bound_rad;

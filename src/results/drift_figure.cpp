@@ -22,6 +22,7 @@ namespace earthtop {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kWorth = 1e-3;  // a part smaller than this share of its whole is not worth a line
 
 double largest_of(const std::vector<double>& list) {
   double most = 0;
@@ -73,8 +74,9 @@ Panel angle_panel(const DriftCurves& shown, const DriftCurves& drawn, TimeUnit t
   Panel panel{{"Angle between the two spin axes", std::string(unit.name)}, {}};
   panel.lines.push_back(line_over_time(shown, time, "angle", std::move(angle), LineColor::blue, LineStyle::solid, apart));
   if (drawn.end && drawn.end->axis_rad > 0) panel.lines.back().end_label = end_words(*drawn.end, time);
-  panel.lines.push_back(line_over_time(shown, time, "its part in tilt", scaled(shown.tilt_rad, unit.per_si), LineColor::orange,
-                                       LineStyle::dashed));
+  if (largest_of(drawn.tilt_rad) >= kWorth * largest_of(drawn.axis_rad))
+    panel.lines.push_back(line_over_time(shown, time, "its part in tilt", scaled(shown.tilt_rad, unit.per_si),
+                                         LineColor::orange, LineStyle::dashed));
   if (!drawn.is_all_reliable)
     panel.lines.push_back(
         line_over_time(shown, time, "not reliable", std::move(later), LineColor::grey, LineStyle::dotted, apart));
@@ -99,11 +101,20 @@ std::vector<double> beside_line(const DriftCurves& curves, double rate, double o
   return rest;
 }
 
+/// Whether the angle between the axes is that of their azimuths, as for a level axis: the azimuth's picture would be the angle's.
+bool is_azimuth_alone(const DriftCurves& drawn) {
+  constexpr double kSame = 0.01;
+  const double angle = largest_of(drawn.axis_rad), azimuth = largest_of(drawn.azimuth_rad);
+  for (std::size_t i = 0; i < drawn.t_s.size(); ++i)
+    if (std::abs(std::abs(drawn.azimuth_rad[i]) * angle - drawn.axis_rad[i] * azimuth) > kSame * angle * azimuth) return false;
+  return true;
+}
+
 /// @returns nothing where what is left beside the line is too small to be worth a picture
 std::optional<Panel> azimuth_panel(const DriftCurves& shown, const DriftCurves& drawn, TimeUnit time) {
-  constexpr double kLow = 120;     // px
-  constexpr double kWorth = 1e-3;  // of the azimuth
+  constexpr double kLow = 120;  // px
   if (!drawn.azimuth_rate_rad_s) {
+    if (is_azimuth_alone(drawn)) return std::nullopt;
     const ReadableUnit unit = angle_unit(largest_of(drawn.azimuth_rad));
     Panel panel{{"Azimuth, clockwise from above", std::string(unit.name)}, {}, kLow};
     panel.labels_at_lines = true;  // a single line needs no label: the caption says what it is
@@ -143,7 +154,8 @@ DriftCurves curves_of(const RunResult& result) {
   }
   curves.is_all_reliable =
       earthtop::is_all_reliable(result) && std::ranges::find(curves.is_reliable, false) == curves.is_reliable.end();
-  if (result.drift.secular) curves.azimuth_rate_rad_s = result.drift.secular->azimuth_rate_rad_s;
+  if (result.drift.secular && !result.drift.secular->of_window)
+    curves.azimuth_rate_rad_s = result.drift.secular->azimuth_rate_rad_s;
   if (const DriftRow* last = last_reliable_row(result); last && last->t_s > 0)
     curves.end = {last->t_s, last->drift_axis_rad, last->drift_axis_bound_rad};
   return curves;

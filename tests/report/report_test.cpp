@@ -180,6 +180,61 @@ TEST(Report, EachCurveIsDrawnOnce) {
   }
 }
 
+Report page_of_shipped(const TemporaryDirectory& dir, const std::string& name, const std::string& duration_s) {
+  write_results(
+      run(parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/" + name + ".json"), {{"/motion/duration_s", duration_s}})),
+      dir.path() / "run", true);
+  return make_report(dir.path() / "run");
+}
+
+// Foucault's pendulum: the plane turns by the Earth's rate times sin(latitude), less the part of the bob's own spin. Of the swings, which
+// are denser than pixels, the last one is drawn strongly.
+TEST(Report, APendulumShowsItsPlaneFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "foucault-pendulum", "600");
+  EXPECT_LT(place_of(page.html, "id=\"rosette-rot\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""));
+  EXPECT_LT(place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""), place_of(page.html, "<canvas id=\"top\""));
+  EXPECT_LT(place_of(page.html, "id=\"section-protocol\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"parts\""));
+  const auto series = data_of(page.html).at("charts").at("plane").at("series");
+  constexpr double kRate = 7.292115e-5, kLatitude = 48.8462 * 3.141592653589793 / 180, kPart = 0.00203294775;
+  const double expected = kRate * std::sin(kLatitude) * (1 - kPart) * 600 * 180 / 3.141592653589793;
+  double last = 0, largest_without = 0;
+  for (const auto& y : series.at(0).at("y"))
+    if (y.is_number()) last = y.get<double>();
+  for (const auto& y : series.at(1).at("y"))
+    if (y.is_number()) largest_without = std::max(largest_without, std::abs(y.get<double>()));
+  constexpr double kHalfSwing = 1.0 / 600, kSeen = 1e-3;  // the last extreme may be half a swing before the end
+  EXPECT_NEAR(last, expected, (kHalfSwing + kSeen) * expected);
+  EXPECT_LT(largest_without, kSeen * expected);
+  const auto picture = std::ranges::find(page.pictures, std::string("rosette"), [](const auto& p) { return p.first; });
+  ASSERT_NE(picture, page.pictures.end());
+  EXPECT_NE(picture->second.find("The plane of the swing has turned by 1.884° clockwise"), std::string::npos);
+  EXPECT_NE(picture->second.find("id=\"rosette-band\""), std::string::npos);
+  EXPECT_EQ(page_of_shipped(dir, "foucault-pendulum", "4").html.find("id=\"rosette-band\""), std::string::npos)
+      << "the plane does not turn by a pixel, but two swings are lines";
+}
+
+TEST(Report, AGyrocompassShowsItsSwingFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "gyrocompass-in-gimbals", "100");
+  EXPECT_LT(place_of(page.html, "data-chart=\"compass\""), place_of(page.html, "<canvas id=\"top\""));
+  const auto series = data_of(page.html).at("charts").at("compass").at("series");
+  double least = 0;
+  for (const auto& y : series.at(0).at("y")) least = std::min(least, y.get<double>());
+  EXPECT_NEAR(series.at(0).at("y").at(0).get<double>(), 10, 1e-6);
+  EXPECT_NEAR(least, -10, 0.01) << "from the one side of North to the other";
+  for (const auto& y : series.at(1).at("y")) EXPECT_NEAR(y.get<double>(), 10, 1e-6) << "without the Earth it stays";
+}
+
+TEST(Report, ATippeTopShowsItsTurnOverFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "tippe-top", "2");
+  EXPECT_LT(place_of(page.html, "data-chart=\"turn-over\""), place_of(page.html, "<canvas id=\"top\""));
+  EXPECT_NE(page.html.find(">162.5° at 2 s<"), page.html.npos);
+  EXPECT_EQ(page_of_shipped(dir, "tippe-top", "0.5").html.find("data-chart=\"turn-over\""), std::string::npos)
+      << "until then it has not turned over";
+}
+
 TEST(Report, AnglesHaveTheUnitOfTheirSize) {
   const TemporaryDirectory dir;
   for (const auto& [factor, unit] :

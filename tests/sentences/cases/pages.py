@@ -117,6 +117,18 @@ DRIFT = [
          unless={"/motion/output_step_s": 0.001}),
 ]
 
+FIRST = [
+    page(["The plane of the swing has turned by ", "Path of the bob, seen from above", "The plane of the swing turns",
+          "Turn of the plane of swing, clockwise from above (degrees)", "with the Earth's rotation", "Pale: all swings; dark: the last one.",
+          "The same scale in both directions. Rings: start. Dots: end. Pale", "The azimuth of the bob where it is farthest from the vertical.",
+          "without rotation, East (m)without rotation, North (m)"], "foucault-pendulum",
+         {"/motion/duration_s": 60, "/criteria": None, "/headline": None}, unless={"/body/center_of_mass_m/2": 0.5}),
+    page(["The swing about North", "The axis swings about North", "North is at 0.", "The angle between the two axes. Drawn"],
+         "hard/t08-gyrocompass", {"/criteria": None}, unless={"/effects/gimbal": False}),
+    page(["The top turns over", "With the Earth's rotation: 0 is upright, 180 upside down."], "tippe-top",
+         {"/motion/duration_s": 1.1, "/criteria": None, "/headline": None}, unless={"/motion/duration_s": 0.5}),
+]
+
 SEEN = [
     page("Drawn: the motion at 39 times, twelve or more in each of the axis's fastest swings.", set={"/motion/duration_s": 0.3}),
     page("Drawn: the output rows, since there is no row after the release.", "hard/k11-lift-off",
@@ -139,7 +151,7 @@ SEEN = [
 
 TABLE = [
     page(["Distance of the two contact points", "Drift of the contact point", "to the East", "to the North",
-          "The bound on the error of the distance of the two contact points", "Its tip stands ", "Force of the table", "Rotating against non-rotating Earth",
+          "The bound on the error of the distance of the two contact points", "Its tip stands ", "Contact with the table", "Rotating against non-rotating Earth",
           "The distance of the two contact points and its parts.", "Slip and normal force", "On the table",
           "Slip of the contact point over the table, and the force of the table on it.", "prediction x (m)prediction y (m)",
           "drift x (m)drift y (m)", "Path of the contact point", "Seen from above. The prediction to scale, its drift drawn 2000 times",
@@ -361,4 +373,4 @@ WRITTEN = [
          files={**results(3, LONG), "r/summary.json": '{\n  "name": "a",\n  "checksum": "0123456789abcdef"\n}\n'}),
 ]
 
-CASES = [*DRIFT, *SEEN, *TABLE, *REST, *DOCUMENTS, *COMPARED, *STUDIES, *BENCHES, *WRITTEN]
+CASES = [*DRIFT, *FIRST, *SEEN, *TABLE, *REST, *DOCUMENTS, *COMPARED, *STUDIES, *BENCHES, *WRITTEN]
