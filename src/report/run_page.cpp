@@ -240,8 +240,8 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   page.fold("protocol", "Protocol");
-  if (is_told) add_drift();
   if (run.scene) page.section("your-top", "Your top", top_section(run));
+  if (is_told) add_drift();
   if (run.has_contact) page.section("table", "Contact with the table", contact_section(run, page));
   page.section("bound", "Trend and error", bound_section(run, page));
   page.section("sphere", "Path of the axis", kSphere + played);
