@@ -98,6 +98,8 @@ add_library(earthtop-workbench
   report/drift_chart.cpp
   report/drift_section.cpp
   report/exact_inputs_html.cpp
+  report/finding.cpp
+  report/first_figure.cpp
   report/html.cpp
   report/known_html.cpp
   report/measurement_page.cpp

@@ -79,6 +79,7 @@ void Legend::place_as_text(double room) {
 double Legend::height() const { return kRow * static_cast<double>(rows_); }
 
 void Legend::draw(std::string& out, double baseline) const {
+  if (entries_.empty()) return;
   if (rows_ > 0) {
     const double top = baseline - height() + kRow;
     for (std::size_t i = 0; i < entries_.size(); ++i)

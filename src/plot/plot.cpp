@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "plot/legend.hpp"
+#include "plot/line_labels.hpp"
 #include "plot/mapping.hpp"
 #include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
@@ -157,18 +158,37 @@ struct PanelRoom {
   Range range;  ///< of its values of y
   double height;
   std::vector<Trace> traces;  ///< of its lines, with the panel's top at 0
+  LineLabels labels;
   Legend legend;
   std::vector<std::string> caption;
 
   PanelRoom(const Panel& drawn, const Mapping& x, const Sheet& sheet)
       : panel(&drawn), height(std::min(drawn.height, sheet.tallest_panel)) {
     for (const Line& line : drawn.lines) include_y(range, line, x.scale, drawn.y.scale);
+    make_room_for_ends(x.scale);
     const Mapping y = map_y(height, 0);
     for (const Line& line : drawn.lines) traces.push_back(is_drawn_through(line) ? trace_of(line, x, y) : Trace());
-    legend = Legend(drawn, traces, sheet);
-    caption = lines_of(earthtop::caption(drawn.y, map_y(0, 1).axis), sheet.caption_characters, sheet.most_lines);
+    labels = LineLabels(drawn, traces, x, y);
+    if (!labels.name_all_lines()) legend = Legend(drawn, traces, sheet);
+    std::string text = earthtop::caption(drawn.y, map_y(0, 1).axis);
+    if (labels.name_all_lines() && std::ranges::any_of(traces, [](const Trace& trace) { return trace.shows_band(); }))
+      text = text.ends_with(')') ? text.substr(0, text.size() - 1) + "; " + std::string(kBandWords.substr(2))
+                                 : text + std::string(kBandWords);
+    caption = lines_of(text, sheet.caption_characters, sheet.most_lines);
   }
   Mapping map_y(double floor, double top) const { return map_axis(range, panel->y.scale, false, 6, floor, top); }
+  /// Adds room above the highest value where the text of a line's end would not have it.
+  void make_room_for_ends(AxisScale x_scale) {
+    if (panel->y.scale != AxisScale::linear || range.empty()) return;
+    constexpr double kRoom = 0.12;  // of the range
+    const Mapping y = map_y(height, 0);
+    for (const Line& line : panel->lines)
+      for (std::size_t i = std::min(line.x.size(), line.y.size()); !line.end_label.empty() && i-- > 0;) {
+        if (!drawable(line.x[i], x_scale) || !drawable(line.y[i], y.scale)) continue;
+        if (!has_room_for_end(y(line.y[i]))) range.include(line.y[i] + kRoom * (range.high - range.low));
+        break;
+      }
+  }
   /// The room above the panel beyond that for a caption of one line (px).
   double above() const { return legend.height() + kLineHeight * static_cast<double>(caption.size() - 1); }
 };
@@ -194,6 +214,7 @@ void draw_panel(std::string& out, const PanelRoom& room, const Sheet& sheet, con
                  id, sheet.left, top - 2, sheet.plot_width() + 2, room.height + 4, id);
   for (std::size_t i = 0; i < panel.lines.size(); ++i) draw_line(out, panel.lines[i], room.traces[i], x, y);
   out += "</g>\n";
+  room.labels.draw(out, top);
   draw_rule(out, "et-frame", sheet.left, floor, right, floor);
 }
 

@@ -69,37 +69,6 @@ std::vector<Reach> dense_parts(std::span<const Numbered> piece) {
   return parts;
 }
 
-/// Leaves out points that lie on the line through those that stay, as far as can be seen (Ramer, Douglas and Peucker).
-void thin_out(std::vector<PlotPoint>& points) {
-  const auto size = [](double x, double y) { return std::sqrt(x * x + y * y); };
-  if (points.size() < 3) return;
-  std::vector<bool> stays(points.size(), false);
-  stays.front() = stays.back() = true;
-  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
-  while (!open.empty()) {
-    const auto [begin, end] = open.back();
-    open.pop_back();
-    const PlotPoint a = points[begin], b = points[end];
-    const double length = size(b.x - a.x, b.y - a.y);
-    double farthest = 0;
-    std::size_t at = begin;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const double x = points[i].x - a.x, y = points[i].y - a.y;
-      const double along = length > 0 ? (x * (b.x - a.x) + y * (b.y - a.y)) / length : 0;
-      const double across = length > 0 ? std::abs(x * (b.y - a.y) - y * (b.x - a.x)) / length : size(x, y);
-      const double away = std::max({across, -along, along - length});
-      if (away > farthest) farthest = away, at = i;
-    }
-    if (farthest <= kFlat) continue;
-    stays[at] = true;
-    open.emplace_back(begin, at), open.emplace_back(at, end);
-  }
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (stays[i]) points[kept++] = points[i];
-  points.resize(kept);
-}
-
 /// Least and largest values (px, downward).
 struct Span {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -208,6 +177,36 @@ Piece piece_of(std::span<const Numbered> points, std::size_t a_column) {
 }
 
 }  // namespace
+
+void thin_out(std::vector<PlotPoint>& points) {
+  const auto size = [](double x, double y) { return std::sqrt(x * x + y * y); };
+  if (points.size() < 3) return;
+  std::vector<bool> stays(points.size(), false);
+  stays.front() = stays.back() = true;
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [begin, end] = open.back();
+    open.pop_back();
+    const PlotPoint a = points[begin], b = points[end];
+    const double length = size(b.x - a.x, b.y - a.y);
+    double farthest = 0;
+    std::size_t at = begin;
+    for (std::size_t i = begin + 1; i < end; ++i) {
+      const double x = points[i].x - a.x, y = points[i].y - a.y;
+      const double along = length > 0 ? (x * (b.x - a.x) + y * (b.y - a.y)) / length : 0;
+      const double across = length > 0 ? std::abs(x * (b.y - a.y) - y * (b.x - a.x)) / length : size(x, y);
+      const double away = std::max({across, -along, along - length});
+      if (away > farthest) farthest = away, at = i;
+    }
+    if (farthest <= kFlat) continue;
+    stays[at] = true;
+    open.emplace_back(begin, at), open.emplace_back(at, end);
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (stays[i]) points[kept++] = points[i];
+  points.resize(kept);
+}
 
 bool Trace::shows_band() const {
   return std::ranges::any_of(pieces, [](const Piece& piece) {

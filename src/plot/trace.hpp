@@ -35,6 +35,9 @@ struct Trace {
   bool shows_band() const;  ///< whether a band in it can be told from a line
 };
 
+/// Leaves out points that lie on the line through those that stay, as far as can be seen (Ramer, Douglas and Peucker).
+void thin_out(std::vector<PlotPoint>& points);
+
 /// This is the one place where it is decided what becomes a band: a stretch of some columns in which each swing takes less than one.
 Trace trace_of(const Line& line, const Mapping& x, const Mapping& y);
 

@@ -10,7 +10,6 @@
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/elementary.hpp"
 #include "earthtop/results/compass_point.hpp"
-#include "report/drift_section.hpp"
 #include "report/known_html.hpp"
 #include "report/motion_data.hpp"
 #include "report/path_picture.hpp"
@@ -79,9 +78,8 @@ std::string path_html(const Run& run, Page& page) {
                                 : fmt::format("The prediction to scale, its drift drawn {} times as large", times_text(factor));
   picture.subtitle = "Seen from above. " + scale;
   const std::string caption = fmt::format(
-      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end. {}",
-      scale, length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3),
-      run.drawn.a_window > 0 ? run.played_words : run.drawn_words);
+      "The table from above, the same scale in both directions. {}; the drift is {} at most. Rings: start. Dots: end.{}", scale,
+      length_text(run.number("/drift/tip_max_m").value_or(drift_m), 3), run.drawn.a_window > 0 ? " " + run.played_words : "");
   return page.picture("path", path_svg(picture), caption, path_table(run));
 }
 
@@ -102,15 +100,12 @@ Figure tip_figure(const Run& run, const Motion& motion) {
       "Distance of the two contact points", "Rotating minus non-rotating Earth", {"Time", run.time.name}, {std::move(panel)}};
 }
 
-Figure tip_bound_figure(const Run& run, const Motion& motion) {
+Figure tip_bound_figure(const Run& run) {
   const ReadableUnit unit = length_unit(largest_size(values(run.drawn, "drift_tip_m")));
-  const std::array<std::vector<double>, 2> apart = {values(motion, "drift_tip_x_m"), values(motion, "drift_tip_y_m")};
-  Panel panel{{"Tip drift", std::string(unit.name), AxisScale::logarithmic}, {}};
-  panel.lines = {{"bound on its error", times(run, run.listed), values(run.listed, "drift_tip_bound_m", unit.per_si),
-                  LineColor::vermillion, LineStyle::filled},
-                 line_of(motion, "drift", times(run, motion), values(motion, "drift_tip_m", unit.per_si), LineColor::blue,
-                         LineStyle::solid, apart)};
-  return {"Distance of the two contact points, and the bound on its error",
+  Panel panel{{"Bound on the error", std::string(unit.name), AxisScale::logarithmic}, {}};
+  panel.lines = {{"", times(run, run.listed), values(run.listed, "drift_tip_bound_m", unit.per_si), LineColor::vermillion,
+                  LineStyle::filled}};
+  return {"The bound on the error of the distance of the two contact points",
           "Rotating against non-rotating Earth",
           {"Time", run.time.name},
           {std::move(panel)}};
@@ -246,20 +241,19 @@ std::string balances_html(const Run& run) {
 
 }  // namespace
 
-std::string tip_drift_html(const Run& run, Page& page) {
-  const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
-  std::string html = seen_html(run) + page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
-                                                 "The distance of the two contact points and its parts. " + run.drawn_words);
-  if (!run.listed.rows.empty() && run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
-    html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
-  return html + bound_chart_html(page, "tip-bound", tip_bound_figure(run, run.drawn), tip_bound_figure(run, run.listed));
-}
+std::string tip_drift_html(const Run& run, Page& page) { return seen_html(run) + path_html(run, page); }
 
 std::string contact_section(const Run& run, Page& page) {
-  return path_html(run, page) +
+  const double drift = ends(values(run.listed, "drift_tip_m")).last, bound = ends(values(run.listed, "drift_tip_bound_m")).last;
+  std::string html = page.chart("tip", tip_figure(run, run.drawn), tip_figure(run, run.listed),
+                                "The distance of the two contact points and its parts. " + run.drawn_words);
+  if (!run.listed.rows.empty() && run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
+    html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
+  return html +
          page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
                     "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words) +
-         events_html(run) + balances_html(run) + changes_html(run);
+         events_html(run) + balances_html(run) + changes_html(run) +
+         page.chart("tip-bound", tip_bound_figure(run), "On a logarithmic scale, at the output rows.");
 }
 
 }  // namespace earthtop::report

@@ -13,33 +13,16 @@
 namespace earthtop::report {
 namespace {
 
-using compare::Row;
-
 /// The bound comes from the output rows: it only grows, so that it needs no others.
-Figure bound_figure(const Run& run, const Motion& motion) {
+Figure bound_figure(const Run& run) {
   const ReadableUnit unit = angle_unit(run.number("/drift/axis_max_rad").value_or(0));
-  Figure figure{"Angle between the two spin axes, and the bound on its error",
+  Figure figure{"The bound on the error of the angle between the two spin axes",
                 "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
                 {"Time", run.time.name},
-                {{{"Axis drift", std::string(unit.name), AxisScale::logarithmic}, {}}}};
-  figure.panels[0].lines = {{"bound on its error", times(run, run.listed),
-                             values(run.listed, "drift_axis_bound_rad", unit.per_si), LineColor::vermillion, LineStyle::filled},
-                            line_of(motion, "drift", times(run, motion), values(motion, "drift_axis_rad", unit.per_si),
-                                    LineColor::blue, LineStyle::solid, axes_apart(motion))};
+                {{{"Bound on the error", std::string(unit.name), AxisScale::logarithmic}, {}}}};
+  figure.panels[0].lines = {{"", times(run, run.listed), values(run.listed, "drift_axis_bound_rad", unit.per_si),
+                             LineColor::vermillion, LineStyle::filled}};
   return figure;
-}
-
-/// The bound on the error of the angle, as text.
-std::string bound_of(const Run& run) {
-  const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
-             at = run.number("/drift/reliable/at_s");
-  if (!drift || !bound || !at || !(*at > 0)) return "";
-  std::string html = fmt::format("<p>The error of the angle at {} is at most {}", number_html(*at, "s"),
-                                 error_html(*drift, *bound, angle_unit(*drift)));
-  constexpr double kFar = 10;
-  if (*bound > 0 && *drift >= kFar * *bound)
-    html += fmt::format(", a fraction of {}", error_html(0, *bound / *drift, ReadableUnit{"", "", 1}));
-  return html + fmt::format(". In radians the angle is {}.</p>\n", known_html(*drift, *bound, "rad"));
 }
 
 /// The trend of the azimuth with its bound, and what theory says of it; all azimuths clockwise from above.
@@ -65,39 +48,48 @@ std::string trend_of(const Run& run) {
   return html;
 }
 
-/// When spin and tilt come to the values asked for, the spin that is left, and a pendulum's swing.
-std::string motion_of(const Run& run) {
+/// A value of the summary with the bound on its error.
+std::string known_value(const Run& run, const std::string& value, const std::string& bound, const char* unit) {
+  return known_html(run.number(value).value_or(kNoNumber), run.number(bound).value_or(kNoNumber), unit);
+}
+
+/// When spin and tilt come to the values asked for.
+std::string reached_html(const Run& run) {
   std::string html;
-  const auto with_bound = [&](const std::string& value, const std::string& bound, const char* unit) {
-    return known_html(run.number(value).value_or(kNoNumber), run.number(bound).value_or(kNoNumber), unit);
-  };
-  const auto start = run.number("/top/spin_rad_s"), left = run.number("/motion/spin_final_rad_s");
-  constexpr double kTold = 1e-3;  // of the spin
-  if (start && left && std::abs(*left - *start) > kTold * std::abs(*start))
-    html += fmt::format("<p>At the end the spin is {}.</p>\n",
-                        with_bound("/motion/spin_final_rad_s", "/motion/spin_final_bound_rad_s", "rad/s"));
   for (const char* what : {"spin", "tilt"}) {
     if (!run.results.summary->contains(Json::json_pointer(fmt::format("/motion/{}_reached_s", what)))) continue;
     const std::string pointer = fmt::format("/motion/{}_reached", what);
     html += !run.results.summary->value(Json::json_pointer(pointer + "_is_sure"), true)
                 ? fmt::format("<p>Within its error the {} asked for may be reached or not.</p>\n", what)
             : run.number(pointer + "_s") ? fmt::format("<p>The {} asked for is reached at {}.</p>\n", what,
-                                                       with_bound(pointer + "_s", pointer + "_bound_s", "s"))
+                                                       known_value(run, pointer + "_s", pointer + "_bound_s", "s"))
                                          : fmt::format("<p>The {} asked for is not reached.</p>\n", what);
   }
+  return html;
+}
+
+/// The spin that is left, and a pendulum's swing.
+std::string motion_html(const Run& run) {
+  std::string html;
+  const auto start = run.number("/top/spin_rad_s"), left = run.number("/motion/spin_final_rad_s");
+  constexpr double kTold = 1e-3;  // of the spin
+  if (start && left && std::abs(*left - *start) > kTold * std::abs(*start))
+    html += fmt::format("<p>At the end the spin is {}.</p>\n",
+                        known_value(run, "/motion/spin_final_rad_s", "/motion/spin_final_bound_rad_s", "rad/s"));
   if (run.number("/motion/swing/plane_rate_rad_s"))
     html += fmt::format(
         "<p>The plane of the swing turns by {}, clockwise seen from above; without the Earth it would by {}. Its semi-axes are "
         "{} and {} at the end.</p>\n",
-        with_bound("/motion/swing/plane_rate_rad_s", "/motion/swing/plane_rate_bound_rad_s", "rad/s"),
-        with_bound("/motion/swing/apsidal_rate_rad_s", "/motion/swing/apsidal_rate_bound_rad_s", "rad/s"),
-        with_bound("/motion/swing/major_end_rad", "/motion/swing/major_end_bound_rad", "rad"),
-        with_bound("/motion/swing/minor_end_rad", "/motion/swing/minor_end_bound_rad", "rad"));
+        known_value(run, "/motion/swing/plane_rate_rad_s", "/motion/swing/plane_rate_bound_rad_s", "rad/s"),
+        known_value(run, "/motion/swing/apsidal_rate_rad_s", "/motion/swing/apsidal_rate_bound_rad_s", "rad/s"),
+        known_value(run, "/motion/swing/major_end_rad", "/motion/swing/major_end_bound_rad", "rad"),
+        known_value(run, "/motion/swing/minor_end_rad", "/motion/swing/minor_end_bound_rad", "rad"));
   return html;
 }
 
-/// When the drift passes the requested threshold, and when motions come to rest.
-std::string events_of(const Run& run) {
+}  // namespace
+
+std::string drift_events_html(const Run& run) {
   const auto time = [](double t_s, const std::optional<double>& bound_s) {
     return known_html(t_s, bound_s.value_or(kNoNumber), "s");
   };
@@ -118,34 +110,23 @@ std::string events_of(const Run& run) {
     html += fmt::format("<p>The {} prediction comes to rest at {}.</p>\n",
                         run.word(fmt::format("/stops/{}/prediction", i)) == "rotating" ? "rotating" : "non-rotating",
                         time(*stop, run.number(fmt::format("/stops/{}/bound_s", i))));
-  return html + motion_of(run);
-}
-
-}  // namespace
-
-std::string headline_html(const Run& run) {
-  const auto drift = run.number("/drift/reliable/axis_rad"), bound = run.number("/drift/reliable/axis_bound_rad"),
-             at = run.number("/drift/reliable/at_s");
-  if (!drift || !bound || !at || !(*at > 0)) return "No row of this run can be trusted.";
-  std::string tip;
-  if (run.has_contact && !run.listed.rows.empty() && *at == run.listed.rows.back().t_s) {
-    const double far = value(run.listed.rows.back(), column("drift_tip_m")),
-                 error = value(run.listed.rows.back(), column("drift_tip_bound_m"));
-    if (std::isfinite(far)) tip = ", and the tip " + known_html(far, error, length_unit(far)) + " from there";
-  }
-  return fmt::format("After {} the axis stands {} from where the non-rotating prediction puts it{}. Both predictions: {}.",
-                     number_html(*at, "s"), known_angle_html(*drift, *bound, true), tip,
-                     escaped(run.word("/matching_rule/statement")));
+  return html + reached_html(run);
 }
 
 std::string drift_section(const Run& run, Page& page) {
-  Figure figure = drift_chart(run, run.drawn);
-  std::string caption = "The angle between the two axes and its part in tilt";
-  if (figure.panels.size() > 1) caption += "; the azimuth";
-  if (figure.panels.size() > 2) caption += ", and what is left of it without its secular line";
-  return page.chart("parts", std::move(figure), drift_chart(run, run.listed), caption + ". " + run.drawn_words) +
-         bound_of(run) + bound_chart_html(page, "axis", bound_figure(run, run.drawn), bound_figure(run, run.listed)) +
-         trend_of(run) + events_of(run);
+  const DriftCurves drawn = drift_curves(run, run.drawn);
+  Figure figure = drift_figure(drawn, drawn);
+  std::string caption = "The angle between the two axes";
+  if (figure.panels[0].lines.size() > 1) caption += " and its part in tilt";
+  if (figure.panels.size() > 1)
+    caption += drawn.azimuth_rate_rad_s ? ", and what is left of the azimuth without its secular line" : ", and the azimuth";
+  return page.chart("parts", std::move(figure), drift_figure(drift_curves(run, run.listed), drawn),
+                    caption + ". " + run.drawn_words);
+}
+
+std::string bound_section(const Run& run, Page& page) {
+  return trend_of(run) + motion_html(run) +
+         page.chart("axis", bound_figure(run), "On a logarithmic scale, at the output rows.");
 }
 
 std::string why_html(const Run& run) {
@@ -153,11 +134,6 @@ std::string why_html(const Run& run) {
   for (std::size_t i = 0; i < run.results.summary->value("why", Json::array()).size(); ++i)
     html += "<li>" + powers_html(escaped(run.word(fmt::format("/why/{}/text", i)))) + "</li>\n";
   return html.empty() ? html : "<ol class=\"why\">\n" + html + "</ol>\n";
-}
-
-std::string bound_chart_html(Page& page, const std::string& name, Figure figure, const Figure& listed) {
-  return "<details><summary>The error's bound beside the drift, over all decades</summary>\n" +
-         page.chart(name, std::move(figure), listed, "Both on a logarithmic scale.") + "</details>\n";
 }
 
 }  // namespace earthtop::report

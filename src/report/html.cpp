@@ -178,14 +178,23 @@ Page::Page(std::string kind, std::string title, std::vector<std::string> notes)
 }
 
 void Page::verdict(std::string_view word, std::string html) {
-  verdict_ = fmt::format("<p class=\"verdict {}\">{}</p>\n", escaped(word), std::move(html));
+  verdict_ = fmt::format("<div class=\"verdict {}\">{}</div>\n", escaped(word), std::move(html));
 }
 
 void Page::section(std::string_view id, std::string_view title, std::string html) {
+  const bool is_folded = !folded_.empty();
+  (is_folded ? folded_navigation_ : navigation_) +=
+      fmt::format("<li><a href=\"#section-{0}\">{1}</a></li>", id, escaped(title));
+  sections_ += fmt::format(
+      "<section id=\"section-{0}\" aria-labelledby=\"title-{0}\">\n<h{3} id=\"title-{0}\">{1}</h{3}>\n{2}</section>\n", id,
+      escaped(title), html, is_folded ? 3 : 2);
+}
+
+void Page::fold(std::string_view id, std::string_view title) {
   navigation_ += fmt::format("<li><a href=\"#section-{0}\">{1}</a></li>", id, escaped(title));
-  sections_ +=
-      fmt::format("<section id=\"section-{0}\" aria-labelledby=\"title-{0}\">\n<h2 id=\"title-{0}\">{1}</h2>\n{2}</section>\n",
-                  id, escaped(title), html);
+  folded_ = std::move(sections_) +
+            fmt::format("<details class=\"folded\" id=\"section-{}\"><summary><h2>{}</h2></summary>\n", id, escaped(title));
+  sections_.clear();
 }
 
 std::string Page::chart(const std::string& name, Figure figure, std::string_view caption, std::vector<double> at) {
@@ -240,12 +249,17 @@ Report Page::finish() {
   const BuildInfo& build = build_info();
   std::string notes;
   for (const std::string& note : notes_) notes += fmt::format("<p class=\"note\">Note: {}.</p>\n", escaped(note));
+  const std::string heading = finding_.empty()
+                                  ? fmt::format("<h1>{}</h1>", escaped(title_))
+                                  : fmt::format("<p class=\"subject\">{}</p>\n<h1>{}</h1>", escaped(title_), finding_);
+  if (!folded_.empty())
+    sections_ = folded_ + "<nav aria-label=\"Parts\"><ul>" + folded_navigation_ + "</ul></nav>\n" + sections_ + "</details>\n";
   const std::string body = fmt::format(
-      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n<h1>{}</h1>\n<p "
+      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n{}\n<p "
       "class=\"headline\">{}</p>\n{}{}</header>\n"
       "<nav aria-label=\"Sections\"><ul>{}</ul></nav>\n<main id=\"main\">\n{}</main>\n<footer><p>earthtop {}, "
       "{}</p></footer>\n",
-      escaped(title_), headline_, verdict_, notes, navigation_, sections_, escaped(build.version), escaped(build.commit));
+      heading, headline_, verdict_, notes, navigation_, sections_, escaped(build.version), escaped(build.commit));
   const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", page_script());
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "

@@ -43,10 +43,14 @@ class Page {
   /// @param notes  sentences on what could not be verified
   Page(std::string kind, std::string title, std::vector<std::string> notes = {});
 
+  /// Replaces the title on the page, not that of the document, by a finding, with the title as a small line above it; HTML.
+  void finding(std::string html) { finding_ = std::move(html); }
   /// Sets the sentence under the title; HTML.
   void headline(std::string html) { headline_ = std::move(html); }
   void verdict(std::string_view word, std::string html);
   void section(std::string_view id, std::string_view title, std::string html);
+  /// Puts the sections that follow into a part of their own, which is closed on a screen and open on paper.
+  void fold(std::string_view id, std::string_view title);
   /// A figure, drawn for a desk and for a phone, with its data as a table, and the same data for the crosshair. The wide
   /// picture is also kept for `--svg`.
   /// @param at  the values of x that table and crosshair have, ascending; empty: all of the figure's
@@ -67,7 +71,9 @@ class Page {
   /// Both drawings of a figure with its caption and a table; the wide one is kept.
   std::string drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table);
 
-  std::string title_, headline_, verdict_, navigation_, sections_;
+  std::string title_, finding_, headline_, verdict_, navigation_, sections_;
+  std::string folded_,
+      folded_navigation_;  ///< the begin of the folded part, and the links to its sections; empty: there is none
   Json data_ = Json::object();
   std::vector<std::pair<std::string, std::string>> pictures_;
   std::vector<std::string> notes_;

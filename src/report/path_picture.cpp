@@ -9,6 +9,7 @@
 
 #include "earthtop/elementary.hpp"
 #include "plot/svg_text.hpp"
+#include "plot/trace.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -48,22 +49,19 @@ Map map_of(const PathPicture& picture, const Layout& layout, double top) {
           std::min((layout.width - 2 * layout.margin) / width, (layout.side - 2 * layout.margin) / height)};
 }
 
-/// The commands of a path element; points less than half a pixel from the one before are left out.
-std::string commands(const Path& path, const Map& map) {
+/// The commands of a path element from a point on, without those that lie on the line through the others.
+std::string commands(const Path& path, const Map& map, std::size_t from = 0) {
   std::string text;
-  double last_x = 0, last_y = 0;
-  bool is_open = false;
-  for (std::size_t i = 0; i < path.x.size(); ++i) {
-    const double x = map.x(path.x[i]), y = map.y(path.y[i]);
-    if (!std::isfinite(x) || !std::isfinite(y)) {
-      is_open = false;
+  std::vector<PlotPoint> piece;
+  for (std::size_t i = from; i <= path.x.size(); ++i) {
+    if (i < path.x.size() && std::isfinite(path.x[i]) && std::isfinite(path.y[i])) {
+      piece.push_back({map.x(path.x[i]), map.y(path.y[i])});
       continue;
     }
-    if (is_open && i + 1 < path.x.size() && std::abs(x - last_x) + std::abs(y - last_y) < 0.5) continue;
-    text += fmt::format("{}{:.1f} {:.1f}", is_open ? "L" : "M", x, y);
-    last_x = x;
-    last_y = y;
-    is_open = true;
+    thin_out(piece);
+    for (std::size_t k = 0; k < piece.size(); ++k)
+      text += fmt::format("{}{:.1f} {:.1f}", k > 0 ? "L" : "M", piece[k].x, piece[k].y);
+    piece.clear();
   }
   return text;
 }
@@ -122,8 +120,14 @@ std::string drawn(const PathPicture& picture, const Layout& layout) {
   out += fmt::format(
       "<path id=\"{}-ref\" d=\"{}\" fill=\"none\" stroke=\"#0072b2\" stroke-width=\"3\" stroke-dasharray=\"7 4\"/>\n", name,
       commands(picture.reference, map));
+  // One stroke over all swings is equally pale everywhere: a band.
+  if (const std::size_t last = picture.rotating.last_swing; last > 0)
+    out += fmt::format(
+        "<path id=\"{}-band\" d=\"{}\" fill=\"none\" stroke=\"#d55e00\" stroke-opacity=\"0.35\" stroke-width=\"1.5\"/>\n", name,
+        commands(picture.rotating, map));
+  const std::size_t begin = picture.rotating.last_swing > 0 ? picture.rotating.x.size() - picture.rotating.last_swing : 0;
   out += fmt::format("<path id=\"{}-rot\" d=\"{}\" fill=\"none\" stroke=\"#d55e00\" stroke-width=\"1.5\"/>\n", name,
-                     commands(picture.rotating, map));
+                     commands(picture.rotating, map, begin));
   out += marks(picture.reference, map, "#0072b2", 6) + marks(picture.rotating, map, "#d55e00", 3);
   out += fmt::format("<text x=\"{0}\" y=\"{1}\" text-anchor=\"end\">{2} →</text>\n<text x=\"{5}\" y=\"{3}\">↑ {4}</text>\n",
                      layout.width - edge - 10, bottom - 10, escape_xml(picture.right), top + 20, escape_xml(picture.up),

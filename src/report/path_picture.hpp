@@ -13,6 +13,8 @@ namespace earthtop::report {
 struct Path {
   std::string label;
   std::vector<double> x, y;
+  /// Number of points at the end that are drawn as a line; those before are a band, of swings denser than pixels. 0: all are a line.
+  std::size_t last_swing = 0;
 };
 
 /// Paths in a plane: of the motion on the rotating Earth and of the prediction.

@@ -51,6 +51,11 @@ struct Run {
   std::optional<double> number(const std::string& pointer) const { return results.number(pointer); }
 };
 
+inline std::string title_of(const Run& run) {
+  const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
+  return title.empty() ? "A run" : title;
+}
+
 /// The values of a column in all rows, times a factor.
 inline std::vector<double> values(const Motion& motion, std::string_view name, double factor = 1) {
   std::vector<double> list;

@@ -16,6 +16,8 @@
 #include "report/bars.hpp"
 #include "report/contact_section.hpp"
 #include "report/drift_section.hpp"
+#include "report/finding.hpp"
+#include "report/first_figure.hpp"
 #include "report/motion_data.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
@@ -34,35 +36,6 @@ using compare::Row;
 
 constexpr std::size_t kMostArrows = 200;  // number of times at most at which torques are computed for the animation
 constexpr double kBudgetSteps = 3e5;      // about a second; with more steps the bars of the ledger are left out
-
-/// When the drift cannot be trusted, and why; from results that have no intervals, only from when on.
-std::string untrusted_times(const Run& run) {
-  std::string text;
-  for (std::size_t i = 0; const auto from = run.number(fmt::format("/drift/verdict_intervals/{}/from_s", i)); ++i) {
-    const std::string at = fmt::format("/drift/verdict_intervals/{}/", i);
-    const auto until = run.number(at + "until_s");
-    const std::string begin = number_html(*from, "s"), end = until ? number_html(*until, "s") : "";
-    const bool is_moment = until && fmt::format("{:.7g}", *from) == fmt::format("{:.7g}", *until);
-    text += fmt::format(" {} {}{}, the drift cannot be trusted: {}.", is_moment ? "At" : "From", begin,
-                        is_moment ? ""
-                        : until   ? " to " + end
-                                  : " on",
-                        escaped(run.word(at + "text")));
-  }
-  if (const auto from = run.number("/drift/verdict_from_s"); from && text.empty())
-    text = fmt::format(" From {} on, the drift cannot be trusted.", number_html(*from, "s"));
-  return text;
-}
-
-std::string verdict_of(const Run& run) {
-  std::string text =
-      fmt::format("<strong>{}</strong>: {}.", escaped(run.word("/drift/verdict")), escaped(run.word("/drift/verdict_reason")));
-  text += untrusted_times(run);
-  if (run.word("/outcome/status") != "completed")
-    text += fmt::format(" The run stopped: {}, at {}.", escaped(run.word("/outcome/status")),
-                        number_html(run.number("/outcome/reached_s").value_or(0), "s"));
-  return text;
-}
 
 void append(Json& list, const Vec3<double>& vector) {
   for (int i = 0; i < 3; ++i) list.push_back(Json::parse(fmt::format("{:.4g}", vector[i])));
@@ -218,11 +191,11 @@ constexpr const char* kSphere =
 <p id="sphere-state" aria-live="polite"></p></figure>
 )html";
 constexpr const char* kAnimation =
-    R"html(<figure class="scene"><canvas id="top" width="640" height="480" tabindex="0" role="img"
- aria-label="The top in motion; space stops it and starts it"></canvas>
+    R"html(<figure class="scene"><canvas id="top" width="860" height="520" tabindex="0" role="img"
+ aria-label="The top in motion, with the Earth's rotation and without, the cone of its axis and the Earth's axis; space stops it and starts it"></canvas>
 <div class="controls"><button type="button" id="play">Play</button>
 <input id="time" type="range" min="0" max="1000" value="0" aria-label="Time">
-<label><input id="arrows" type="checkbox" checked> Torques and axes</label> <output id="clock"></output></div></figure>
+<label><input id="arrows" type="checkbox"> Torques</label> <output id="clock"></output></div></figure>
 )html";
 
 Run read_run(const std::filesystem::path& directory, const Watch& watch) {
@@ -249,22 +222,29 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
 
 Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   const Run run = read_run(directory, watch);
-  const std::string title = run.word("/title").empty() ? run.word("/name") : run.word("/title");
   std::vector<std::string> notes;
   for (const std::filesystem::path& path : run.results.unverified) notes.push_back(unverified(path));
-  Page page("run", title.empty() ? "A run" : title, std::move(notes));
-  page.headline(headline_html(run));
-  page.verdict(run.word("/drift/verdict"), verdict_of(run));
+  Page page("run", title_of(run), std::move(notes));
+  page.finding(finding_html(run));
+  page.headline(measure_html(run));
+  page.verdict(run.word("/drift/verdict"), trust_html(run));
   add_motion(run, page.data());
   // The table's force acts on a top that stands on one, and its tip moves: these torques would not add up.
   if (run.scene && !run.has_contact) page.data()["torques"] = torques_of(run, model_of_rows<double>(*run.scene));
-  const std::string played = "<p>" + escaped(run.played_words) + "</p>\n";
-  page.section("drift", "Drift", (run.has_contact ? tip_drift_html(run, page) : "") + drift_section(run, page));
+  const std::string played = "<p class=\"note\">" + escaped(run.played_words) + "</p>\n";
+  const auto add_drift = [&] { page.section("drift", "Drift", drift_section(run, page) + drift_events_html(run)); };
+  const bool is_told = add_first_figure(run, page);
+  // Where the charts show the same times, their captions say so.
+  page.section("motion", "The top in motion", kAnimation + (run.played_words == run.drawn_words ? "" : played));
+  if (!is_told) add_drift();
+  if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
+  page.fold("protocol", "Protocol");
   if (run.scene) page.section("your-top", "Your top", top_section(run));
-  if (run.has_contact) page.section("table", "On the table", contact_section(run, page));
+  if (is_told) add_drift();
+  if (run.has_contact) page.section("table", "Contact with the table", contact_section(run, page));
+  page.section("bound", "Trend and error", bound_section(run, page));
   page.section("sphere", "Path of the axis", kSphere + played);
-  page.section("motion", "The top in motion", kAnimation + played);
   page.section("torques", "Torques", ledger_section(run, page));
   page.section("invariants", "Conserved quantities", invariants_section(run));
   page.section("numerics", "Steps", numerics_section(run));

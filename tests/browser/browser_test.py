@@ -21,6 +21,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 import devtools
+import first_screen
 import layout
 from browser_process import Failure
 from shipped_pages import SCENARIOS, Program, Report
@@ -38,13 +39,15 @@ HOSTILE_PURPOSE = ("<!--<script></script><script>window.hacked=1</script>\u2028-
                    "<img src=x onerror=window.hacked=3>")
 HOSTILE_DIRECTORY = "x</title><img src=x onerror=alert(3)>\"'&#?%3C"  # one in another: the slash is in the path
 
-GROUPS = {1: "loads in silence", 2: "headline", 3: "sphere turns", 4: "animation", 5: "charts and keyboard",
+GROUPS = {1: "loads in silence", 2: "first screen", 3: "sphere turns", 4: "animation", 5: "charts and keyboard",
           6: "foreign text is text", 7: "print, dark, reduced motion", 8: "accessible", 9: "phone, tablet and paper"}
 
 SPHERE = "document.querySelector('canvas#sphere, #sphere canvas')"
 PLAY = "document.querySelector('#play')"
 CHARTS = "document.querySelectorAll('figure.chart')"
 CURVES = "document.querySelectorAll('figure.chart[data-chart]')"  # the others are pictures of bars, nothing to read off
+PROTOCOL = """(e => ({open: e.open, shown: e.querySelector('#section-provenance').checkVisibility()}))(document.querySelector('#section-protocol'))"""
+MOST_BEFORE_PROTOCOL_PX = 4000  # on a phone
 SCRIPT_LIKE = "script, img, iframe, object, embed, link, style, base, meta, [onerror], [onload]"
 
 
@@ -148,6 +151,7 @@ class Examination:
         self.loading()
         if self.report.kind == "run":
             self.headline()
+            self.first_screen()
             if not self.report.hostile:
                 self.animation()
             if self.exists(3, SPHERE):
@@ -193,11 +197,32 @@ class Examination:
         drift = self.report.summary["drift"]
         number = (drift.get("reliable") or {}).get("axis_rad")
         number = drift["axis_final_rad"] if number is None else number
-        shown = self.page.evaluate("[...(document.querySelector('.headline')?.querySelectorAll('data[value]') ?? [])]"
+        shown = self.page.evaluate("[...document.querySelectorAll(':is(h1, .headline) data[value]')]"
                                    ".map(e => [e.getAttribute('value'), e.textContent, e.checkVisibility()])")
         found = [text for value, text, visible in shown if visible and as_double(value) == number]
-        self.expect(2, bool(found), f".headline has no visible <data value> of exactly {number!r}: {shown}")
-        self.expect(2, all(re.search(r"\d", text) for text in found), f".headline shows no number: {found}")
+        self.expect(2, bool(found), f"title and headline have no visible <data value> of exactly {number!r}: {shown}")
+        self.expect(2, all(re.search(r"\d", text) for text in found), f"title and headline show no number: {found}")
+
+    def first_screen(self) -> None:
+        assert self.report.summary
+        found = list(first_screen.faults(self.page, self.report.summary))
+        self.expect(2, not found, f"{found}")
+        self.page.resize(devtools.WIDTH)
+        folded = self.page.evaluate(PROTOCOL)
+        self.expect(2, folded == {"open": False, "shown": False}, f"the protocol: {folded}")
+        self.page.resize(layout.PHONE_PX)
+        self.page.frames(2)
+        place = self.page.evaluate("document.querySelector('#section-protocol').getBoundingClientRect().top + scrollY")
+        self.expect(2, place <= MOST_BEFORE_PROTOCOL_PX, f"{place} px before the protocol on a phone")
+        self.page.resize(devtools.WIDTH)
+        # A link to a part of it opens it.
+        self.page.evaluate("document.querySelector('nav a[href=\"#section-protocol\"]').click()")
+        self.page.frames(2)
+        opened = self.page.evaluate(PROTOCOL)
+        self.expect(2, opened == {"open": True, "shown": True}, f"the protocol after a click on its link: {opened}")
+        self.page.evaluate("document.querySelector('#section-protocol').open = false; location.hash = '#section-torques'")
+        self.page.frames(3)
+        self.expect(2, self.page.evaluate(PROTOCOL)["open"], "a link to a section of the protocol does not open it")
 
     def moves(self, milliseconds: int) -> bool:
         """Whether #time changes within the given time; returns as soon as it does."""

@@ -62,7 +62,7 @@ def run_page(page: firefox.Page, report: Report, checks: Checks) -> None:
     assert report.summary
     drift = report.summary["drift"]
     wanted = (drift.get("reliable") or {}).get("axis_rad") or drift["axis_final_rad"]
-    shown = page.evaluate("[...document.querySelectorAll('.headline data[value]')].map(e => Number(e.value))")
+    shown = page.evaluate("[...document.querySelectorAll(':is(h1, .headline) data[value]')].map(e => Number(e.value))")
     checks.expect(wanted in shown, f"{report.name}: {wanted!r} is not among the headline's numbers {shown}")
     clock = "(e => e.value || e.textContent)(document.querySelector('#time'))"
     before = page.evaluate(clock)
@@ -71,6 +71,7 @@ def run_page(page: firefox.Page, report: Report, checks: Checks) -> None:
     page.wait(0.4)
     checks.expect(page.evaluate(clock) != before, f"{report.name}: the space bar does not start the animation")
     page.key(" ")
+    page.evaluate("document.querySelector('#section-protocol').open = true")
     canvas = "document.querySelector('canvas#sphere, #sphere canvas')"
     x, y = page.middle(canvas)
     before = page.evaluate(f"{canvas}.toDataURL()")

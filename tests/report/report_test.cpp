@@ -43,28 +43,90 @@ Scenario short_top(const std::string& title) {
 
 std::string page_of(const fs::path& what) { return make_report(what).html; }
 
-TEST(Report, TheHeadlineIsTheSummarysNumberToItsLastBit) {
+TEST(Report, TheTitleIsTheSummarysNumberToItsLastBit) {
   const TemporaryDirectory dir;
   const RunResult result = run(short_top("A top"));
   write_results(result, dir.path() / "run", false);
-  const std::string html = page_of(dir.path() / "run"), headline = between(html, "<p class=\"headline\">", "</p>");
-  const std::string number = between(headline, "<strong><data value=\"", "\"");
+  const std::string html = page_of(dir.path() / "run"), title = between(html, "<h1>", "</h1>");
+  EXPECT_EQ(html.find("<p class=\"subject\">A top</p>\n<h1>"), html.find("<header>\n") + std::string("<header>\n").size());
+  EXPECT_NE(title.find("In <data value=\"3\">3</data> s the Earth turns this top's axis "), title.npos) << title;
+  const std::string number = between(title.substr(title.find("axis ")), "<data value=\"", "\"");
   double value = 0;
   std::from_chars(number.data(), number.data() + number.size(), value);
-  EXPECT_EQ(value, result.drift.axis_final_rad) << headline;
+  EXPECT_EQ(value, result.drift.axis_final_rad) << title;
 }
 
-// The number and its error stand in one unit, the number to the last digit that its error leaves; their elements have both in rad.
-TEST(Report, TheHeadlineHasOneUnitForANumberAndItsError) {
+/// The header of the page of a made-up run with a last drift and its bound.
+std::string header_with(double axis_rad, double bound_rad, Verdict verdict = Verdict::reliable, double t_s = 60) {
   const TemporaryDirectory dir;
   RunResult result = test::made_up_run();
-  result.rows.back().drift_axis_rad = result.drift.axis_final_rad = 1.1402e-3;
-  result.rows.back().drift_axis_bound_rad = result.drift.axis_bound_rad = 6e-8;
+  result.rows.erase(result.rows.begin() + 1, result.rows.end() - 1);
+  result.rows.back().t_s = result.reached_s = t_s;
+  result.verdict.verdict = verdict;
+  result.verdict.reliable_until_s = t_s;
+  result.rows.back().drift_axis_rad = result.drift.axis_final_rad = axis_rad;
+  result.rows.back().drift_axis_bound_rad = result.drift.axis_bound_rad = bound_rad;
   write_results(result, dir.path() / "run", false);
-  const std::string html = page_of(dir.path() / "run"), headline = between(html, "<p class=\"headline\">", "</p>");
-  EXPECT_NE(headline.find("<strong><data value=\"0.0011402\">235.183</data>″</strong> ± <data value=\"6e-08\">0.012</data>″"),
-            headline.npos)
-      << headline;
+  return between(page_of(dir.path() / "run"), "<header>", "</header>");
+}
+
+// The title has few digits, and no more than the error leaves; all of them, and the error in the same unit, are there on demand.
+TEST(Report, TheTitleHasFewDigitsAndTheDetailsAll) {
+  const std::string known = header_with(1.1402e-3, 6e-8);
+  EXPECT_NE(known.find("In <data value=\"60\">a minute</data> the Earth turns this top's axis "), known.npos) << known;
+  EXPECT_NE(known.find("axis <data value=\"0.0011402\">235.2</data> arcseconds off course</h1>"), known.npos) << known;
+  EXPECT_NE(known.find("<strong><data value=\"0.0011402\">235.183</data>″</strong> ± <data value=\"6e-08\">0.012</data>″"),
+            known.npos)
+      << known;
+  EXPECT_NE(
+      known.find("<summary>This number can be trusted: <span class=\"sure\">± <data value=\"6e-08\">0.012</data>″</span>"),
+      known.npos)
+      << known;
+  const std::string loose = header_with(1.1402e-3, 6e-5);
+  EXPECT_NE(loose.find("axis <data value=\"0.0011402\">235</data> arcseconds off course"), loose.npos) << loose;
+}
+
+// Between drifts of one size the Sun's disc is the same part: 0.5331 degrees across.
+TEST(Report, TheAngleIsToldBesideTheSunsDisc) {
+  constexpr double kSun_rad = 1919.26 / 206264.80624709636;
+  for (const auto& [share, words] : std::vector<std::pair<double, std::string>>{{20, "20 times the width of the Sun's disc"},
+                                                                                {2, "2.0 times the width of the Sun's disc"},
+                                                                                {1, "about the width of the Sun's disc"},
+                                                                                {0.66, "about two thirds of the width"},
+                                                                                {0.5, "about half the width of the Sun's disc"},
+                                                                                {0.125, "about an eighth of the width"},
+                                                                                {1e-4, "about 1/10,000 of the width"}}) {
+    const std::string header = header_with(share * kSun_rad, 1e-12);
+    EXPECT_NE(header.find(words), header.npos) << header;
+  }
+  EXPECT_EQ(header_with(1e-12 * kSun_rad, 1e-25).find("Sun"), std::string::npos);
+}
+
+TEST(Report, DurationsThatAreRoundAreWords) {
+  for (const auto& [t_s, words] :
+       std::vector<std::pair<double, std::string>>{{1, "In <data value=\"1\">a second</data> the"},
+                                                   {90, "In <data value=\"90\">90</data> s the"},
+                                                   {600, "In <data value=\"600\">10</data> minutes the"},
+                                                   {3600, "In <data value=\"3600\">an hour</data> the"},
+                                                   {86400, "In <data value=\"86400\">a day</data> the"}}) {
+    const std::string header = header_with(1e-3, 1e-9, Verdict::reliable, t_s);
+    EXPECT_NE(header.find(words), header.npos) << header;
+  }
+}
+
+// Where the verdict is another one, the title says what is known instead, and the reason is in sight.
+TEST(Report, ADoubtfulDriftIsNotTheTitle) {
+  const std::string unstable = header_with(1e-3, 1e-9, Verdict::unstable),
+                    noise = header_with(1e-9, 2e-9, Verdict::noise_floor),
+                    marginal = header_with(1e-3, 1e-9, Verdict::marginal);
+  EXPECT_NE(unstable.find("arcseconds off course, as would any other disturbance</h1>"), unstable.npos) << unstable;
+  EXPECT_NE(marginal.find("arcseconds off course, at the limit of its stability</h1>"), marginal.npos) << marginal;
+  EXPECT_NE(noise.find("axis by less than <data value=\"3"), noise.npos) << noise;
+  for (const std::string& header : {unstable, noise, marginal}) {
+    EXPECT_EQ(header.find("This number can be trusted"), header.npos) << header;
+    EXPECT_LT(header.find("<div class=\"verdict "), header.find("<details>")) << header;
+    EXPECT_LT(header.find("</strong>: "), header.find("<details>")) << header;
+  }
 }
 
 /// The place of an element in a page; a failure where it is missing.
@@ -74,31 +136,103 @@ std::size_t place_of(const std::string& html, const std::string& element) {
   return place;
 }
 
-// The drift comes first, in a linear chart; the logarithmic one is there for whoever opens it.
-TEST(Report, TheDriftComesBeforeItsBound) {
+// What was found, the top, the drift, why; the rest is folded.
+TEST(Report, WhatWasFoundComesBeforeTheProtocol) {
   const TemporaryDirectory dir;
   write_results(run(short_top("A top")), dir.path() / "run", false);
   const std::string html = page_of(dir.path() / "run");
-  const std::size_t drift = place_of(html, "<figure class=\"chart\" data-chart=\"parts\">"),
-                    details = place_of(html, "<details><summary>The error's bound beside the drift"),
-                    bound = place_of(html, "<figure class=\"chart\" data-chart=\"axis\">");
-  EXPECT_LT(place_of(html, "class=\"headline"), drift);
-  EXPECT_LT(drift, details);
-  EXPECT_LT(details, bound);
-  EXPECT_EQ(html.find("</details>", details), html.find("</details>", html.find("<table>", bound)))
-      << "the first to end is the table of the chart within";
-  EXPECT_LT(bound, place_of(html, "id=\"section-why\""));
-  EXPECT_LT(place_of(html, "id=\"section-why\""), place_of(html, "id=\"section-your-top\""));
-  EXPECT_LT(place_of(html, "id=\"section-why\""), place_of(html, "id=\"section-sphere\""));
+  std::size_t before = 0;
+  for (const char* element :
+       {"<h1>", "class=\"headline", "class=\"verdict reliable", "<canvas id=\"top\"",
+        "<figure class=\"chart\" data-chart=\"parts\">", "id=\"section-why\"",
+        "<details class=\"folded\" id=\"section-protocol\">", "id=\"section-your-top\"",
+        "<figure class=\"chart\" data-chart=\"axis\">", "<canvas id=\"sphere\"", "id=\"section-command\""}) {
+    const std::size_t place = place_of(html, element);
+    EXPECT_LT(before, place) << element;
+    before = place;
+  }
   // One unit for what one panel draws, of the size of what it draws.
   const auto series = data_of(html).at("charts").at("parts").at("series");
-  for (const auto& [label, unit] : std::vector<std::pair<std::string, std::string>>{
-           {"angle", "arcseconds"}, {"its part in tilt", "arcseconds"}, {"azimuth", "arcseconds"}})
-    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [&label = label, &unit = unit](const auto& s) {
-      return s.at("label") == label && s.at("unit") == unit;
+  for (const char* label : {"angle", "its part in tilt", "Azimuth minus its secular line"})
+    EXPECT_TRUE(std::any_of(series.begin(), series.end(), [&](const auto& s) {
+      return s.at("label") == label && s.at("unit") == "arcseconds";
     })) << label;
   EXPECT_NEAR(series.at(0).at("y").back().get<double>(),
               run(short_top("A top")).drift.axis_final_rad * 648000 / 3.141592653589793, 1e-5);
+}
+
+// No curve stands in two charts.
+TEST(Report, EachCurveIsDrawnOnce) {
+  const TemporaryDirectory dir;
+  for (const char* name : {"toy-top", "tippe-top", "foucault-pendulum"}) {
+    write_results(run(parse_scenario(read_scenario_source(std::string(EARTHTOP_SCENARIOS "/") + name + ".json"),
+                                     {{"/motion/duration_s", "2"}})),
+                  dir.path() / name, false);
+    std::vector<std::string> curves;
+    for (const auto& [chart, data] : data_of(page_of(dir.path() / name)).at("charts").items())
+      for (const auto& series : data.value("series", nlohmann::ordered_json::array())) {
+        const auto y = series.at("y");
+        const bool is_flat = std::all_of(y.begin(), y.end(), [&](const auto& value) { return value == y.at(0); });
+        if (!is_flat) curves.push_back(y.dump());
+      }
+    std::sort(curves.begin(), curves.end());
+    EXPECT_EQ(std::adjacent_find(curves.begin(), curves.end()), curves.end()) << name;
+  }
+}
+
+Report page_of_shipped(const TemporaryDirectory& dir, const std::string& name, const std::string& duration_s) {
+  write_results(
+      run(parse_scenario(read_scenario_source(EARTHTOP_SCENARIOS "/" + name + ".json"), {{"/motion/duration_s", duration_s}})),
+      dir.path() / "run", true);
+  return make_report(dir.path() / "run");
+}
+
+// Foucault's pendulum: the plane turns by the Earth's rate times sin(latitude), less the part of the bob's own spin. Of the swings, which
+// are denser than pixels, the last one is drawn strongly.
+TEST(Report, APendulumShowsItsPlaneFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "foucault-pendulum", "600");
+  EXPECT_LT(place_of(page.html, "id=\"rosette-rot\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""));
+  EXPECT_LT(place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""), place_of(page.html, "<canvas id=\"top\""));
+  EXPECT_LT(place_of(page.html, "id=\"section-protocol\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"parts\""));
+  const auto series = data_of(page.html).at("charts").at("plane").at("series");
+  constexpr double kRate = 7.292115e-5, kLatitude = 48.8462 * 3.141592653589793 / 180, kPart = 0.00203294775;
+  const double expected = kRate * std::sin(kLatitude) * (1 - kPart) * 600 * 180 / 3.141592653589793;
+  double last = 0, largest_without = 0;
+  for (const auto& y : series.at(0).at("y"))
+    if (y.is_number()) last = y.get<double>();
+  for (const auto& y : series.at(1).at("y"))
+    if (y.is_number()) largest_without = std::max(largest_without, std::abs(y.get<double>()));
+  constexpr double kHalfSwing = 1.0 / 600, kSeen = 1e-3;  // the last extreme may be half a swing before the end
+  EXPECT_NEAR(last, expected, (kHalfSwing + kSeen) * expected);
+  EXPECT_LT(largest_without, kSeen * expected);
+  const auto picture = std::ranges::find(page.pictures, std::string("rosette"), [](const auto& p) { return p.first; });
+  ASSERT_NE(picture, page.pictures.end());
+  EXPECT_NE(picture->second.find("The plane of the swing has turned by 1.884° clockwise"), std::string::npos);
+  EXPECT_NE(picture->second.find("id=\"rosette-band\""), std::string::npos);
+  EXPECT_EQ(page_of_shipped(dir, "foucault-pendulum", "4").html.find("id=\"rosette-band\""), std::string::npos)
+      << "the plane does not turn by a pixel, but two swings are lines";
+}
+
+TEST(Report, AGyrocompassShowsItsSwingFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "gyrocompass-in-gimbals", "100");
+  EXPECT_LT(place_of(page.html, "data-chart=\"compass\""), place_of(page.html, "<canvas id=\"top\""));
+  const auto series = data_of(page.html).at("charts").at("compass").at("series");
+  double least = 0;
+  for (const auto& y : series.at(0).at("y")) least = std::min(least, y.get<double>());
+  EXPECT_NEAR(series.at(0).at("y").at(0).get<double>(), 10, 1e-6);
+  EXPECT_NEAR(least, -10, 0.01) << "from the one side of North to the other";
+  for (const auto& y : series.at(1).at("y")) EXPECT_NEAR(y.get<double>(), 10, 1e-6) << "without the Earth it stays";
+}
+
+TEST(Report, ATippeTopShowsItsTurnOverFirst) {
+  const TemporaryDirectory dir;
+  const Report page = page_of_shipped(dir, "tippe-top", "2");
+  EXPECT_LT(place_of(page.html, "data-chart=\"turn-over\""), place_of(page.html, "<canvas id=\"top\""));
+  EXPECT_NE(page.html.find(">162.5° at 2 s<"), page.html.npos);
+  EXPECT_EQ(page_of_shipped(dir, "tippe-top", "0.5").html.find("data-chart=\"turn-over\""), std::string::npos)
+      << "until then it has not turned over";
 }
 
 TEST(Report, AnglesHaveTheUnitOfTheirSize) {

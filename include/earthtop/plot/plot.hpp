@@ -46,12 +46,14 @@ struct Line {
   /// Number of successive points that belong together, as looks of one window, between which and the next nothing is known: a band has
   /// a column for each. 0: the points follow one another without gaps.
   std::size_t a_column = 0;
+  std::string end_label = {};  ///< a text beside a dot at the line's last point; none if empty
 };
 
 struct Panel {
   Axis y;
-  std::vector<Line> lines;  ///< drawn in this order
-  double height = 210;      ///< px
+  std::vector<Line> lines;       ///< drawn in this order
+  double height = 210;           ///< px
+  bool labels_at_lines = false;  ///< whether labels stand at the lines, without a legend, where all of them find a place there
 };
 
 struct Figure {

@@ -3,6 +3,7 @@
 // Earth's rotation, in outline without it. The unit of length is the stem.
 
 const kDisc = { height: 0.58, radius: 0.4, thickness: 0.09 };
+const kAxisEnd = 1.2;  // where the axis ends, as far as it is drawn
 const kCage = 1.12;  // radius of a cage's hoop, over that of the wheel in it
 
 /** East and North, rotated by the smallest rotation that takes Up to the axis: unlike the line of nodes, they do not
@@ -245,6 +246,24 @@ function paintAnyBody(ink, shape, drawn, ghost) {
   else paintDisc(ink, shape.kind === "disc" ? shape : kDisc, axis, turned, ghost);
 }
 
+/** The axis as a line through the body and beyond it. */
+function paintAxis(ink, axis, hangs, name) {
+  ink.line(times(hangs ? 0.2 : -0.12, axis), times(hangs ? -1.25 : kAxisEnd, axis), name, 2);
+}
+
+/** The cone that the predicted axis moves on: the part of it that lies about the time shown. */
+function paintCone(ink, path) {
+  const { pen, put } = ink, rim = path.map((p) => times(kAxisEnd, p));
+  trace(pen, [put([0, 0, 0]), ...rim.map(put)]);
+  pen.closePath();
+  pen.globalAlpha = 0.1;
+  pen.fillStyle = kPalette.ref;
+  pen.fill();
+  pen.globalAlpha = 0.6;
+  ink.path(rim, kPalette.ref, 1.25);
+  pen.globalAlpha = 1;
+}
+
 /** The ground, both tops, and the vectors that act. */
 function paintTop(pen, project, eye, scene) {
   const origin = [0, 0, 0], ink = makeInk(pen, project, eye), { put } = ink, { shape, body, ghost } = scene;
@@ -257,21 +276,25 @@ function paintTop(pen, project, eye, scene) {
     const [x, y] = put(tip);
     ink.write(name, x + 4, y);
   }
-  if (scene.earth) paintArrow(ink, origin, scene.earth, "earth", "Earth's rate");
+  ink.place = scene.refTip;
+  if (scene.cone.length > 2) paintCone(ink, scene.cone);
+  ink.place = origin;
+  if (scene.earth) paintArrow(ink, origin, times(1.2, scene.earth), "earth", "Earth's axis");
   if (scene.precession) paintArrow(ink, origin, times(1.1, scene.precession), "precession", "precession axis");
   if (scene.path.length > 1) ink.path(scene.path, kPalette.axis);
   // The end of the axis that is marked: below the pivot where the top hangs from it.
-  const end = (axis) => (shape.rolls ? combine(shape.radius, axis, shape.radius, [0, 0, 1]) : times(shape.height < 0 ? -1 : 1, axis));
+  const end = (axis) => (shape.rolls ? combine(shape.radius, axis, shape.radius, [0, 0, 1]) : times(shape.height < 0 ? -1 : kAxisEnd, axis));
   ink.place = scene.tip;
+  const hangs = shape.height < 0;
+  if (body.axis && !shape.rolls) paintAxis(ink, body.axis, hangs, "axis");
   paintBody(ink, shape, body, false);
   if (body.axis) {
-    if (shape.kind === "box") ink.line(origin, body.axis, "axis", 1.5);
     spot(pen, put(end(body.axis)), 4.5, kPalette.axis);
   }
   ink.place = scene.refTip;
   paintBody(ink, shape, ghost, true);
   if (ghost.axis) {
-    if (shape.kind === "box") ink.line(origin, ghost.axis, "ref", 1.5);
+    if (!shape.rolls) paintAxis(ink, ghost.axis, hangs, "ref");
     spot(pen, put(end(ghost.axis)), 8, kPalette.ref, 2);
   }
   ink.place = scene.tip;

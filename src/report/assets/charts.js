@@ -11,6 +11,12 @@ function startCharts(charts) {
   }
 }
 
+/** What a reader does to see a chart's values; where there is no pointer, a finger does it. */
+function howToRead(what) {
+  return window.matchMedia("(hover: none)").matches ? `Tap ${what} to read its values.` :
+    `Point at ${what}, or focus the chart and use the arrow keys.`;
+}
+
 /** The index k in `list` for which place(k) is nearest to `where`. */
 function nearest(list, place, where) {
   return list.reduce((best, _, k) => (Math.abs(place(k) - where) < Math.abs(place(best) - where) ? k : best), 0);
@@ -51,7 +57,7 @@ function startMarks(figure, pictures, chart) {
     const f = (x) => (scale === "log" ? Math.log10(x) : x);
     return (f(value) - f(low)) / (f(high) - f(low) || 1);
   };
-  const readout = addReadout(pictures, "Point at a mark, tap it, or focus the chart and use the arrow keys.");
+  const readout = addReadout(pictures, howToRead("a mark"));
   const views = pictures.map((picture) => {
     const at = frameOf(picture, chart), ring = drawnElement("circle", { class: "et-ring", r: 7, visibility: "hidden" });
     picture.append(ring);
@@ -93,7 +99,7 @@ function startChart(figure, pictures, chart) {
     picture.append(line);
     return { picture, line, place: (x) => left + share(x) * (right - left) };
   });
-  const readout = addReadout(pictures, "Point at the chart, or focus it and use the arrow keys.");
+  const readout = addReadout(pictures, howToRead("the chart"));
   let current = -1;
   const show = (k) => {
     current = k;

@@ -115,6 +115,29 @@ function makeCopying(button) {
   });
 }
 
+/** A link into the folded part opens it, and paper has all of it. */
+function startFolds() {
+  const openTo = (target) => {
+    for (let at = target?.closest("details"); at; at = at.parentElement?.closest("details")) at.open = true;
+  };
+  const follow = () => {
+    const target = byId(decodeURIComponent(window.location.hash.slice(1)));
+    if (!target) return;
+    openTo(target);
+    target.scrollIntoView();
+  };
+  for (const link of document.querySelectorAll("nav a"))
+    link.addEventListener("click", () => openTo(byId(link.hash.slice(1))));
+  window.addEventListener("hashchange", follow);
+  if (window.location.hash) follow();
+  let closed = [];
+  window.addEventListener("beforeprint", () => {
+    closed = [...document.querySelectorAll(":is(details.folded, .verdict details):not([open])")];
+    for (const fold of closed) fold.open = true;
+  });
+  window.addEventListener("afterprint", () => { for (const fold of closed) fold.open = false; });
+}
+
 document.documentElement.classList.add("js");
 window.earthtop = { view: kView, frames: 0, fps: 0 };
 startTheme();
@@ -124,3 +147,4 @@ startCharts(kData.charts ?? {});
 if (kData.kind === "study") startStudy(kData);
 startSphere(kData);
 startTop(kData);
+startFolds();

@@ -2,6 +2,7 @@
 // The path of the axis on the unit sphere: the camera frames the cone on which the axis moves, or the whole sphere.
 
 const kWholeFrom = 0.8;  // radius of a path from which on the whole sphere is shown
+const kParted = 200;     // magnification from which on only the first and the last turn of a path are drawn
 const kSmallest = 1e-8;  // radius of the smallest frame (rad)
 
 /** Steps (degrees) between the lines of the grid. */
@@ -190,16 +191,19 @@ function startSphere(data) {
   /** Lays the paths out again, with the magnification that is chosen now. */
   const layOut = () => {
     const factor = magnification(), drawn = (time) => magnified(ref.at(time), axis.at(time), factor);
+    // A path that is magnified much would be a smear: of it the first and the last turn are drawn.
+    const turn = turnOf(ref), parted = factor >= kParted && ref.last - ref.first > 2.5 * turn;
+    const shown = (at) => (time) => (parted && time > ref.first + turn && time < ref.last - turn ? null : at(time));
     // The prediction is drawn last: where the two coincide, its dashes lie on the motion's line.
-    paths = [["axis", samplePath(axis, drawn), drawn], ["ref", samplePath(ref, ref.at), ref.at]];
+    paths = [["axis", samplePath(axis, shown(drawn)), drawn], ["ref", samplePath(ref, shown(ref.at)), ref.at]];
     extent = extentOf(paths.map(([, path]) => path));
     // Many turns would fill a band. The path is then drawn pale, and only about its latest turn strongly.
     let length = 0;
     paths[1][1].forEach((p, i, all) => { if (p && all[i - 1]) length += angleBetween(p, all[i - 1]); });
-    const turn = 2.5 * (extent.whole ? 1 : Math.max(0.1, extent.radius));
-    recent = Math.min(1, turn / length);
-    paleness = clamp((2 * turn) / length, 0.22, 1);
-    note.textContent = magnificationText(axis, ref);
+    const reach = 2.5 * (extent.whole ? 1 : Math.max(0.1, extent.radius));
+    recent = Math.min(1, reach / length);
+    paleness = clamp((2 * reach) / length, 0.22, 1);
+    note.textContent = magnificationText(axis, ref) + (parted ? " Of each path its first and last turn are drawn." : "");
     view();
   };
   const show = (data) => {

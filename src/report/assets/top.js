@@ -114,6 +114,35 @@ function speedText(speed) {
   return `${Number(Math.max(speed, 1 / speed).toPrecision(3)).toLocaleString("en")} times ${speed > 1 ? "faster" : "slower"} than it happens`;
 }
 
+/** How long the axis takes for a turn about the middle of its path; for a path without turns, all of its time. A path that swings to and
+ *  fro is shown as long as a few of its swings take. */
+function turnOf(track) {
+  const path = samplePath(track, track.at, 1).filter((p) => p), span = track.last - track.first;
+  const middle = normalise(path.reduce((sum, p) => combine(1, sum, 1, p), [0, 0, 0]));
+  if (!middle || path.length < 3) return span;
+  const [u, v] = across(middle);
+  let wound = 0, length = 0, radius = 0;
+  for (let i = 1; i < path.length; ++i) {
+    const [a, b] = [path[i - 1], path[i]].map((p) => [dot(u, p), dot(v, p)]);
+    wound += Math.atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
+    length += angleBetween(path[i - 1], path[i]);
+    radius = Math.max(radius, angleBetween(middle, path[i]));
+  }
+  const byWinding = Math.abs(wound) > 2 * Math.PI ? (span * 2 * Math.PI) / Math.abs(wound) : span;
+  return Math.min(byWinding, length > 0 ? (span * 40 * Math.max(radius, 1e-9)) / length : span);
+}
+
+/** The prediction's axis over the turn that ends at a time, or over the first one. */
+function coneAt({ ref, turn, hangs }, time) {
+  const kPieces = 240, to = Math.min(ref.last, Math.max(time, ref.first + turn)), from = Math.max(ref.first, to - turn);
+  const path = [];
+  for (let i = 0; i <= kPieces; ++i) {
+    const p = ref.at(from + (i / kPieces) * (to - from));
+    if (p) path.push(hangs ? times(-1, p) : p);
+  }
+  return path;
+}
+
 /** What is drawn of a run's data. */
 function readMotion(data) {
   const axis = makeTrack(data.t_s, data.axis_L), ref = makeTrack(data.t_s, data.ref_axis_L);
@@ -126,21 +155,24 @@ function readMotion(data) {
   const dense = rate * step < 1, asBody = attitude.count > 0 && dense, shape = shapeOf(data.top, asBody, tip.count > 0);
   const rotor = readRotor(data, shape), masses = readMasses(data, shape), turns = rotor?.rate_rad_s ?? data.spin_rad_s;
   const spin = isNumber(turns) ? turns : 0, span = axis.last - axis.first;
+  const turn = turnOf(ref);
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
   const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
     axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, gimbal: readGimbal(data), spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
     precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
-    sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
+    turn, hangs: shape.height < 0, sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
   };
 }
 
-function motionLegend(motion) {
-  const entries = [["axis", "with Earth rotation (solid)"], ["ref", "prediction, without Earth rotation (outline)"],
-    ...motion.torques.map((t) => [t.name, torqueLabel(t)])];
-  if (motion.earth) entries.push(["earth", `Earth's rate, its direction (${format(size(motion.earthRate), 4)} rad/s)`]);
-  if (motion.precession) entries.push(["precession", "precession axis"]);
+function motionLegend(motion, withTorques) {
+  const entries = [["axis", "axis with the Earth's rotation"], ["ref", "its twin without it, and the cone it moves on"]];
+  if (motion.earth) entries.push(["earth", "direction of the Earth's axis"]);
+  if (withTorques) {
+    entries.push(...motion.torques.map((t) => [t.name, torqueLabel(t)]));
+    if (motion.precession) entries.push(["precession", "precession axis"]);
+  }
   return legend(entries);
 }
 
@@ -170,13 +202,13 @@ function startTop(data) {
   const play = control("play", "button"), slider = control("time", "input"), clock = control("clock", "output");
   const arrows = byId("arrows") ?? { checked: true }, controls = controlsOf(canvas);
   const speeds = element("select", "speed"), note = element("p", "note");
-  let motion = readMotion({}), list = motionLegend(motion), chosen = null;
+  let motion = readMotion({}), list = motionLegend(motion, false), chosen = null;
   let time = 0, playing = false, before = 0, stamps = [], said = 0;
   const speed = () => chosen ?? motion.suits;
   const slowed = () => Math.max(1, Number(((Math.abs(motion.spin) * speed()) / Math.PI).toPrecision(2)));
   const apart = () => {
     const p = motion.axis.at(time), q = motion.ref.at(time);
-    return p && q ? `, the two axes ${format(angleBetween(p, q), 3)} rad apart` : "";
+    return p && q ? `, the two axes ${angleText(angleBetween(p, q) / kRadian)} apart` : "";
   };
 
   const draw = () => {
@@ -196,9 +228,14 @@ function startTop(data) {
       shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
       body: { axis: drawn, turned, rotor, masses, caged, attitude: motion.attitude.at(time), carry, gimbal: motion.gimbal?.at(time, carry) },
       ghost: { axis: ref, turned: refTurned, rotor, masses, caged: refCaged, attitude: motion.refAttitude.at(time), carry: still, gimbal: motion.gimbal?.refAt(time, still) },
-      earth: shown ? motion.earth : null, precession: shown ? motion.precession : null,
+      earth: motion.earth, cone: motion.shape.rolls ? [] : coneAt(motion, time), precession: shown ? motion.precession : null,
       torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });
+  };
+  const nameLines = () => {
+    const made = motionLegend(motion, arrows.checked);
+    list.replaceWith(made);
+    list = made;
   };
   const tell = () => {
     slider.value = String(time);
@@ -240,9 +277,8 @@ function startTop(data) {
   /** Takes new data; the animation stays at its time, as far as the data have it. */
   const take = (data) => {
     motion = readMotion(data);
-    const { first, last, span } = motion, made = motionLegend(motion);
-    list.replaceWith(made);
-    list = made;
+    const { first, last, span } = motion;
+    nameLines();
     time = clamp(time, first, last);
     Object.assign(slider, { min: first, max: last, step: span / 1000 || 1, disabled: !(span > 0) });
     play.disabled = slider.disabled;
@@ -261,7 +297,7 @@ function startTop(data) {
   slider.addEventListener("input", () => { time = clamp(Number(slider.value), motion.first, motion.last); show(); tell(); });
   play.addEventListener("click", () => toggle(!playing));
   speeds.addEventListener("change", () => { chosen = Number(speeds.value); tellChoices(); draw(); });
-  byId("arrows")?.addEventListener("change", draw);
+  byId("arrows")?.addEventListener("change", () => { nameLines(); draw(); });
   canvas.addEventListener("keydown", (event) => {
     if (event.key !== " ") return;
     toggle(!playing);
