@@ -106,6 +106,7 @@ add_library(earthtop-workbench
   report/motion_data.cpp
   report/packed.cpp
   report/path_picture.cpp
+  report/top_still.cpp
   report/plan_page.cpp
   report/report.cpp
   report/run_page.cpp

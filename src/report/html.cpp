@@ -239,6 +239,12 @@ std::string Page::picture(const std::string& name, Drawings drawings, std::strin
   return html;
 }
 
+std::string Page::still(const std::string& name, Drawings drawings) {
+  std::string html = "<div class=\"still\">\n" + drawings_html(drawings) + "</div>\n";
+  pictures_.emplace_back(name, std::move(drawings.wide));
+  return html;
+}
+
 std::string Page::command(std::string_view text) {
   return fmt::format(
       "<pre class=\"command\" tabindex=\"0\"><code>{}</code></pre>\n<button type=\"button\" class=\"copy\">Copy</button>\n",

@@ -61,6 +61,8 @@ class Page {
   std::string chart_of_marks(const std::string& name, Figure figure, const std::vector<Mark>& marks, std::string_view caption);
   /// A picture that is not a plot, with its own table.
   std::string picture(const std::string& name, Drawings drawings, std::string_view caption, const std::string& table);
+  /// A picture in the place of one that moves, on paper and where there are no scripts.
+  std::string still(const std::string& name, Drawings drawings);
   /// A text with a button to copy it.
   static std::string command(std::string_view text);
   Json& data() { return data_; }

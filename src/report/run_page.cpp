@@ -25,6 +25,7 @@
 #include "report/seen.hpp"
 #include "report/shell.hpp"
 #include "report/thinning.hpp"
+#include "report/top_still.hpp"
 #include "results/seal.hpp"
 #include "scene/parts.hpp"
 #include "text/number_words.hpp"
@@ -198,6 +199,35 @@ constexpr const char* kAnimation =
 <label><input id="arrows" type="checkbox"> Torques</label> <output id="clock"></output></div></figure>
 )html";
 
+/// The top at the last time at which its drift can be trusted.
+std::string still_html(const Run& run, Page& page) {
+  const Trust trust(run);
+  const std::vector<Row>& rows = run.listed.rows;
+  const auto last = std::find_if(rows.rbegin(), rows.rend(), [&](const Row& row) { return trust.at(row.t_s); });
+  if (!run.scene || run.has_contact || last == rows.rend()) return "";
+  const auto direction = [&](const char* first) {
+    const std::size_t at = column(first);
+    return std::array{value(*last, at), value(*last, at + 1), value(*last, at + 2)};
+  };
+  TopStill still;
+  still.axis_L = direction("axis_L_x"), still.ref_axis_L = direction("ref_axis_L_x");
+  const auto is_finite = [](const std::array<double, 3>& v) {
+    return std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
+  };
+  if (!is_finite(still.axis_L) || !is_finite(still.ref_axis_L)) return "";
+  const Vec3<double>& rate_L = run.scene->model<double>().W_IL_L;
+  still.earth_rate_L = {rate_L[0], rate_L[1], rate_L[2]};
+  still.hangs = run.scene->top().center_of_mass_m[2] < 0;
+  const auto [low, high] = std::ranges::minmax(values(run.drawn, "axis_L_z"));
+  constexpr double kSteady = 0.1;  // of the axis's height, as far as a cone is one
+  still.has_cone = high - low < kSteady;
+  still.title = fmt::format("The top after {} s", fmt::format("{:g}", last->t_s));
+  const double factor = magnification(still);
+  still.subtitle = factor > 1 ? fmt::format("The angle between the two axes is drawn {:g} times as large as it is", factor)
+                              : "The angle between the two axes is drawn as it is";
+  return page.still("top", top_still_svg(still));
+}
+
 Run read_run(const std::filesystem::path& directory, const Watch& watch) {
   Run run;
   run.results = compare::open_comparand(directory, nullptr);
@@ -235,7 +265,8 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch) {
   const auto add_drift = [&] { page.section("drift", "Drift", drift_section(run, page) + drift_events_html(run)); };
   const bool is_told = add_first_figure(run, page);
   // Where the charts show the same times, their captions say so.
-  page.section("motion", "The top in motion", kAnimation + (run.played_words == run.drawn_words ? "" : played));
+  page.section("motion", "The top in motion",
+               kAnimation + still_html(run, page) + (run.played_words == run.drawn_words ? "" : played));
   if (!is_told) add_drift();
   if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);

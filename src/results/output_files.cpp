@@ -68,7 +68,10 @@ constexpr std::string_view kWrittenBy = "written by ", kChecksum = ", checksum "
 /// The last line of a file, which says who wrote it and what its content was; empty for a kind without comments.
 std::string mark_of(const KnownContent& content, std::string_view text) {
   if (content.open.empty()) return "";
-  return fmt::format("{}{}{}{}{}{}\n", content.open, kWrittenBy, content.writer, kChecksum, checksum_text(checksum_of(text)),
+  std::string writer(content.writer);
+  if (const std::size_t dashes = writer.find("--"); dashes != writer.npos && !content.close.empty())
+    writer.replace(dashes, 2, "option ");  // XML has no "--" in comments
+  return fmt::format("{}{}{}{}{}{}\n", content.open, kWrittenBy, writer, kChecksum, checksum_text(checksum_of(text)),
                      content.close);
 }
 

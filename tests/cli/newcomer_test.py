@@ -9,6 +9,7 @@ import resource
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 LINES, COLUMNS, PROMPTS = 24, 80, 2  # the command above the printout, and the next one below it
 MOST_SECONDS = 0.5  # of processor time, for the three commands
@@ -64,6 +65,18 @@ def newest(tool, page):
     expect(run(tool, "report").stdout.strip() == str(page), "report does not take the results with the newest summary")
 
 
+def pictures(tool, page):
+    """Every picture and every table of verdicts is XML, as what reads them demands."""
+    made = [pathlib.Path(line) for line in run(tool, "report", str(page.parent), "--svg", "--out", "p.html").stdout.split()]
+    expect(any(file.name == "p-top.svg" for file in made), f"there is no picture of the top among {made}")
+    run(tool, "compare", str(page.parent), str(page.parent), "--junit", "verdicts.xml", "--svg", "same.svg", "--quiet")
+    for file in [page.parent / "drift.svg", *made[1:], pathlib.Path("verdicts.xml"), pathlib.Path("same.svg")]:
+        try:
+            xml.etree.ElementTree.parse(file)
+        except xml.etree.ElementTree.ParseError as error:
+            expect(False, f"{file}: {error}")
+
+
 def screens(tool, files):
     """The printout of a run fits a screen; it has the verdict, and its last line makes the page."""
     for file in files:
@@ -81,7 +94,9 @@ def main():
     tool, scenarios = os.path.realpath(sys.argv[1]), pathlib.Path(__file__).resolve().parents[2] / "scenarios"
     with tempfile.TemporaryDirectory() as work:
         os.chdir(work)
-        newest(tool, journey(tool))
+        page = journey(tool)
+        newest(tool, page)
+        pictures(tool, page)
         screens(tool, sorted(scenarios.glob("*.json")) + (sorted(scenarios.glob("hard/*.json")) if "--all" in sys.argv else []))
         for name in ("toy-top", "foucault-pendulum"):
             for verb in ("run", "check", "explain"):

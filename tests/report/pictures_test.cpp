@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures show the motion: as another method sees it a hundred times in each of its swings, whatever the output rows are.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -278,6 +279,26 @@ Labels labels_in(const std::string& picture, double top, double bottom) {
     if (value > ticks.high) ticks.high = value, ticks.high_px = y;
   }
   return ticks;
+}
+
+// The still in the README is the page's, and the caption's numbers are in the pictures and in the results.
+TEST(ReadmePicture, ShowsTheTopAndSaysItsNumbers) {
+  const TemporaryDirectory dir;
+  const RunResult result = run(shipped("toy-top"));
+  write_results(result, dir.path() / "run", false);
+  const Report report = make_report(dir.path() / "run");
+  const auto made = std::ranges::find(report.pictures, std::string("top"), [](const auto& p) { return p.first; });
+  ASSERT_NE(made, report.pictures.end());
+  const auto text_of = [](const char* path) {
+    std::ifstream file(std::string(EARTHTOP_TESTS "/../") + path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_EQ(text_of("tools/readme/toy-top.svg"), made->second) << "make it again: earthtop report out/toy-top --svg";
+  const std::string readme = text_of("README.md"), chart = text_of("tools/readme/toy-top-drift.svg");
+  const std::string angle = fmt::format("{:.4g}″", result.drift.axis_final_rad * 648000 / std::numbers::pi);
+  EXPECT_NE(readme.find("turns its axis " + angle + " off course"), readme.npos) << angle;
+  EXPECT_NE(chart.find(angle + " at 60 s"), chart.npos) << angle;
+  EXPECT_NE(made->second.find("drawn 100 times as large as it is"), made->second.npos);
 }
 
 // The nutation of the toy top takes 0.1057 s and its rows are 0.1 s apart: drawn through rows, the residual of the azimuth beats with

@@ -11,6 +11,7 @@
 #include "earthtop/bench/comparison.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "output.hpp"
+#include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "text/number_words.hpp"
 #include "verbs.hpp"
@@ -68,7 +69,7 @@ std::vector<Scene> read_scenes(const BenchArguments& arguments) {
   std::vector<Scene> scenes;
   std::set<std::string> names;
   for (const std::string& file : arguments.files) {
-    const ScenarioSource source = read_scenario_source(file);
+    const ScenarioSource source = scenario_of(file);
     ScenarioReport report = examine_scenario(source, overrides);
     if (!report.scene) throw ScenarioError(std::move(report.errors), source.file);
     if (!arguments.quiet) report_warnings(source.file, report.warnings);
@@ -177,7 +178,7 @@ Verb describe_bench() {
   BenchArguments& a = *arguments;
   Verb bench("bench", "measure speed against error: every method, tolerance and precision",
              [arguments] { return bench_verb(*arguments); });
-  bench.add("SCENARIO", &a.files, "scenario files (JSON); - is standard input").required().json_file();
+  bench.add("SCENARIO", &a.files, kScenarioOperands).required().json_file();
   bench.add("--out", &a.out, "directory in which to write NAME.csv and NAME.svg for each scenario").called("DIR");
   bench.add("--force", &a.force, "overwrite existing files");
   bench.add("--workload", &a.workload, "drift: both motions and the drift (default); motion: one motion; axis: only its axis")

@@ -126,11 +126,7 @@ Verb describe_check() {
   auto arguments = std::make_shared<CheckArguments>();
   Verb check("check", "list everything that is wrong in scenario files; run nothing",
              [arguments] { return check_verb(*arguments); });
-  check
-      .add("SCENARIO", &arguments->files,
-           "scenario files (JSON), or names of scenarios that come with the program; - is standard input")
-      .required()
-      .json_file();
+  check.add("SCENARIO", &arguments->files, kScenarioOperands).required().json_file();
   check.add("--json", &arguments->json, "print what was found as one JSON document");
   check.add("--quiet", &arguments->quiet, "print nothing but errors");
   add_set_option(check, arguments->sets);

@@ -19,6 +19,7 @@
 #include "places.hpp"
 #include "plan_text.hpp"
 #include "progress_line.hpp"
+#include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "verbs.hpp"
 
@@ -126,7 +127,7 @@ int plan_verb(const PlanArguments& arguments) {
   const MeasurementPlan plan = plan_of(arguments);
   std::vector<DesignInput> design;
   for (const std::string& text : arguments.design) design.push_back(design_input(text));
-  const ScenarioSource source = read_scenario_source(arguments.scenario);
+  const ScenarioSource source = scenario_of(arguments.scenario);
   const auto overrides = split_sets(arguments.sets);
   OutputFiles files(
       {{OutputKind::plan_picture, arguments.svg, "--svg"}, {OutputKind::simulated_data, arguments.data, "--write-data"}},
@@ -161,7 +162,9 @@ Verb describe_plan() {
   Verb plan("plan", "predict the standard errors of a measurement before anything is built",
             [arguments] { return plan_verb(*arguments); });
   plan.add("SCENARIO", &a.scenario,
-           "scenario file (JSON) of the planned top; - is standard input; or a release list (earthtop schema --releases)")
+           "scenario file (JSON) of the planned top, or the name of a scenario that comes with the program; - is standard "
+           "input; or a "
+           "release list (earthtop schema --releases)")
       .json_file()
       .required();
   plan.add("MORE", &a.others, "scenarios of further releases, which are measured alike and evaluated by one fit").json_file();

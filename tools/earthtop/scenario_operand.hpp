@@ -15,6 +15,9 @@ namespace earthtop::tool {
 inline constexpr std::string_view kScenarioOperand =
     "scenario file (JSON), or the name of a scenario that comes with the program; - is standard input";
 
+inline constexpr std::string_view kScenarioOperands =
+    "scenario files (JSON), or names of scenarios that come with the program; - is standard input";
+
 std::vector<std::string> example_names();
 
 /// @throws ScenarioError where no such scenario comes with the program; it says which are meant, or all there are

@@ -14,7 +14,7 @@ from . import _core
 from ._errors import Finding, ScenarioError, refuse
 from ._html import html_of
 from ._pickles import Pickled
-from ._scenario import Scenario, json_text, pointer_of
+from ._scenario import Scenario, json_text
 
 if TYPE_CHECKING:
     import pandas
@@ -132,9 +132,8 @@ def parts_of(scenario: Scenario) -> Given:
 
 
 def names_of(given: Union[str, Sequence[str]]) -> List[str]:
-    """Names of numbers to be estimated, or pointers of them, from one or several."""
-    names = [given] if isinstance(given, str) else list(given)
-    return [pointer_of(name) if isinstance(name, str) and "/" in name else name for name in names]
+    """Names or keys of numbers to be estimated, from one or several."""
+    return [given] if isinstance(given, str) else list(given)
 
 
 def number(value: Any, name: str) -> float:
