@@ -489,6 +489,22 @@ TEST(WhyTable, MoreFrictionMovesTheAxisAsFarAsIsSaid) {
   EXPECT_GE(told, 3);
 }
 
+TEST(WhyTable, ATableThatLeansMovesTheAxisAsFarAsIsSaid) {
+  RandomNumbers draw(83);
+  for (int i = 0; i < 2; ++i) {
+    Scenario s = top_on_table(draw, ContactLaw::rolling);
+    s.contact->start = ContactStart::rolling, s.contact->tip_radius_m = 0.004, s.duration_s = 2;
+    const RunResult result = run(s);
+    const double tilt = number(result, "tilt_weighs", "table_tilt_rad"), axis = number(result, "tilt_weighs", "axis_rad");
+    ASSERT_GT(tilt, 0) << i << result.verdict.reason;
+    EXPECT_EQ(axis, result.rows.back().drift_axis_rad);
+    // The change by an arcsecond is held by the tests of the contact's report.
+    const PredictionChange& change = result.contact->changes.back();
+    EXPECT_EQ(change.input, "table_tilt");
+    EXPECT_DOUBLE_EQ(tilt, axis / change.axis_rad * kRadians / 3600);
+  }
+}
+
 TEST(WhyTable, ATippeTopStandsUpAtAnotherTime) {
   Scenario s;
   s.site = {45, 0, 0, 9.81};
