@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "earthtop/drift/contact_event.hpp"
 #include "earthtop/elementary.hpp"
@@ -120,22 +121,33 @@ void tell_inverted(Told& told) {
 }
 
 /// How much more friction, or what tilt of the table, would move the prediction as far as the Earth moves it.
-void tell_friction_weighs(Told& told) {
+void tell_table_weighs(Told& told) {
   const ContactReport& contact = *told.result.contact;
   const auto row =
       std::find_if(told.result.rows.begin(), told.result.rows.end(), [&](const DriftRow& r) { return r.t_s == contact.at_s; });
-  if (row == told.result.rows.end() || contact.changes.size() < 2) return;
+  if (row == told.result.rows.end() || contact.changes.empty()) return;
   const PredictionChange &friction = contact.changes.front(), &tilt = contact.changes.back();
-  if (!(friction.axis_rad > 0) || !(tilt.axis_rad > 0) || !(row->drift_axis_rad > row->drift_axis_bound_rad)) return;
+  const bool has_friction = contact.changes.size() > 1;
+  const double axis = row->drift_axis_rad;
+  if (!(friction.axis_rad > 0) || !(tilt.axis_rad > 0) || !(axis > row->drift_axis_bound_rad)) return;
   constexpr double kArcsecond = std::numbers::pi / 648'000;
-  const double percent = row->drift_axis_rad / friction.axis_rad, tilted = row->drift_axis_rad / tilt.axis_rad * kArcsecond;
+  const double percent = axis / friction.axis_rad, tilted = axis / tilt.axis_rad * kArcsecond;
   if (told.sentences.empty()) tell_earth_turns(told);
-  told.add(
-      "friction_weighs",
-      fmt::format("Both predictions have the same friction. To first order, {:.2g} % more of it, or a table that leans by {}, "
-                  "would move the axis as far as the Earth moves it, by {} at {:.5g} s.",
-                  percent, angle_text(tilted, 2), angle_text(row->drift_axis_rad), row->t_s),
-      {{"friction_percent", percent}, {"table_tilt_rad", tilted}, {"axis_rad", row->drift_axis_rad}});
+  const std::string by = fmt::format("{} at {:.5g} s", angle_text(axis), row->t_s);
+  if (has_friction)
+    told.add("friction_weighs",
+             fmt::format(
+                 "Both predictions have the same friction. To first order, {:.2g} % more of it, or a table that leans by {}, "
+                 "would move the axis as far as the Earth moves it, by {}.",
+                 percent, angle_text(tilted, 2), by),
+             {{"friction_percent", percent}, {"table_tilt_rad", tilted}, {"axis_rad", axis}});
+  else
+    told.add(
+        "tilt_weighs",
+        fmt::format("Both predictions have the same table. To first order, one that leans by {} would move the axis as far as "
+                    "the Earth moves it, by {}.",
+                    angle_text(tilted, 2), by),
+        {{"table_tilt_rad", tilted}, {"axis_rad", axis}});
 }
 
 }  // namespace
@@ -150,7 +162,7 @@ void tell_sliding(Told& told) {
       tell_on_rubbing_table(told);
   }
   tell_inverted(told);
-  tell_friction_weighs(told);
+  tell_table_weighs(told);
 }
 
 }  // namespace earthtop::why

@@ -94,8 +94,10 @@ TEST(WhyFriction, TheSlowPrecessionIsThatOfTheWholeEquations) {
     const std::optional<SlowPrecession> slow = slow_precession(top, kDuration);
     if (!slow) continue;
     ++fast;
+    // The nutation and its decay, of second order in the smallness.
     EXPECT_NEAR(slow->last_spin_rad_s, spin * std::exp(-top.applied.viscous / top.I3 * kDuration), 0.01 * std::abs(spin));
     const double without = mean_azimuth(top, Vec3<double>::Zero(), kDuration, slow->period_s);
+    // Second order in the smallness, 0.15 at most.
     EXPECT_NEAR(slow->turned_rad, without - top.azimuth_rad, 0.02 * std::abs(slow->turned_rad)) << i;
     const double drift = mean_azimuth(top, top.W_L, kDuration, slow->period_s) - without;
     EXPECT_NEAR(slow->drift_rad, drift, slow->left_out_rad) << i;
@@ -136,9 +138,11 @@ TEST(WhyFriction, TheDriftOfARunIsThatOfTheLaw) {
     ++told;
     const double T = result.reached_s;
     const double last = i % 3 == 0 ? spin * std::exp(-lost) : i % 3 == 1 ? spin * (1 - lost) : spin / (1 + lost);
+    // The precession changes |w| by a part of this size.
     EXPECT_NEAR(number(result, "friction_slows", "predicted_spin_last_rad_s"), last, 0.005 * std::abs(spin));
     EXPECT_EQ(number(result, "friction_slows", "computed_spin_last_rad_s"), result.motion->spin_end_rad_s.reference.value);
     const double up = s.rotation_rate_rad_s * std::sin(s.site.latitude_deg * kRadians);
+    // The end of the run is averaged over three nutations.
     EXPECT_NEAR(number(result, "laboratory_turns", "turned_rad"), -up * T, 0.05 * std::abs(up * T));
     EXPECT_TRUE(
         says(result, "laboratory_turns", up > 0 ? "is therefore turned clockwise" : "is therefore turned counterclockwise"));
@@ -165,13 +169,16 @@ TEST(WhyFriction, ABalancedGyroscopeKeepsItsDirectionWhileItSlows) {
       s.effects.applied.viscous_N_m_s = 1e-5;
       const RunResult result = run(s);
       ASSERT_TRUE(find(result, "no_torque_across")) << latitude << ' ' << spin;
+      // 256 steps of Runge and Kutta over one decay.
       EXPECT_NEAR(number(result, "friction_slows", "predicted_spin_last_rad_s"), spin * std::exp(-1.0), 1e-6 * std::abs(spin));
       const double east = std::sin(30 * kRadians) * std::sin(200 * kRadians),
                    north = std::sin(30 * kRadians) * std::cos(200 * kRadians);
       const double along = north * std::cos(latitude * kRadians) + std::cos(30 * kRadians) * std::sin(latitude * kRadians);
       EXPECT_GT(std::abs(east), 0);
       const double moved = std::sqrt(1 - along * along) * s.rotation_rate_rad_s * 20;
+      // The sine of half the small angle against the angle.
       EXPECT_NEAR(number(result, "what_is_left", "predicted_rad"), moved, 1e-6 * moved);
+      // The small circle of the release, I1 Omega/(I3 w3).
       EXPECT_NEAR(number(result, "what_is_left", "computed_rad"), moved, 0.01 * moved);
       EXPECT_EQ(number(result, "what_is_left", "computed_rad"), result.drift.axis_final_rad);
     }
@@ -218,6 +225,7 @@ TEST(WhyFree, ASpinAboutTheMiddleAxisTurnsOverAsEulersEquationsSay) {
     const std::optional<TurnOver> found = turn_over(*sorted, w);
     ASSERT_TRUE(found && found->first_s && found->again_s) << i;
     const double A = sorted->A, B = sorted->B, C = sorted->C;
+    // Rounding of a root.
     EXPECT_NEAR(found->growth_1_s, std::abs(spin) * std::sqrt((B - A) * (C - B) / (A * C)), 1e-12 * found->growth_1_s);
     const Crossings seen = crossings(moments, w, order[1], *found->first_s + 1.2 * *found->again_s);
     constexpr double kSteps = 1e-6;  // s, of the integration
@@ -260,6 +268,7 @@ TEST(WhyFree, AWingNutTurnsOverLaterBesideASlowerEarth) {
     for (const double faster : {1.0, 10.0}) {
       const RunResult result = run(wing_nut(spin, faster * kEarthRateWgs84));
       ASSERT_TRUE(find(result, "turns_over")) << spin << ' ' << result.verdict.reason;
+      // The root's moments as printed here.
       EXPECT_NEAR(number(result, "middle_axis", "growth_1_s"), growth * std::abs(spin), 1e-4 * std::abs(spin));
       const double computed = number(result, "turns_over", "computed_s");
       EXPECT_NEAR(number(result, "turns_over", "predicted_s"), computed, number(result, "turns_over", "predicted_error_s"));
@@ -270,9 +279,11 @@ TEST(WhyFree, AWingNutTurnsOverLaterBesideASlowerEarth) {
           std::find_if(result.rows.begin(), result.rows.end(), [&](const DriftRow& row) { return row.w_LB_B[2] * spin < 0; });
       ASSERT_NE(turned, result.rows.end());
       EXPECT_NEAR(turned->t_s, computed, result.scene.scenario().output_step_s);
+      // s; the growth as the moments give it.
       EXPECT_NEAR(number(result, "turns_over", "tenfold_earlier_s"), std::log(10.0) / (growth * std::abs(spin)), 1e-4);
       EXPECT_TRUE(says(result, "turns_over", "does not turn over in this run"));
     }
+    // A/w of the faster Earth squared, and the steps of the looks.
     EXPECT_NEAR(times[0] - times[1], std::log(10.0) / (growth * std::abs(spin)), 1e-3 * times[0]) << spin;
   }
 }
@@ -288,6 +299,7 @@ TEST(WhyFree, AWingNutReleasedOffItsAxisTurnsOverALittleEarlierOrLater) {
     if (!find(result, "turns_over")) continue;
     ++told;
     const double predicted = number(result, "turns_over", "predicted_later_s");
+    // Size of what the law leaves out at these releases.
     EXPECT_NEAR(predicted, number(result, "turns_over", "computed_later_s"), 0.02 * std::abs(predicted)) << i;
     EXPECT_TRUE(says(result, "turns_over", predicted > 0 ? "turn over later by" : "turn over earlier by"));
     later += predicted > 0;
@@ -319,11 +331,14 @@ TEST(WhyFree, WithTheSameRatesInSpaceTheAttitudeTurnsWithTheStars) {
     s.release.rates_relative_to = RatesRelativeTo::inertial;
     const RunResult result = run(s);
     ASSERT_TRUE(find(result, "turns_with_the_stars") && find(result, "axis_turns")) << i;
+    // Rounding of the product.
     EXPECT_NEAR(number(result, "turns_with_the_stars", "predicted_rad"), kEarthRateWgs84 * 6, 1e-15);
     const DriftRow& last = result.rows.back();
+    // Rounding, and that of the rows.
     EXPECT_NEAR(number(result, "axis_turns", "predicted_rad"), last.drift_axis_rad, 1e-12 * last.drift_axis_rad + 1e-16);
     const double phi = s.site.latitude_deg * kRadians;
     const double along = std::abs(last.ref_axis_L[1] * std::cos(phi) + last.ref_axis_L[2] * std::sin(phi));
+    // Rounding of the arc.
     EXPECT_NEAR(std::cos(number(result, "axis_turns", "angle_from_celestial_axis_rad")), along, 1e-9);
   }
 }
@@ -351,6 +366,7 @@ TEST(WhyFree, ReleasedWithTheLaboratorysRatesABodyHasTheEarthsBesides) {
     const RunResult result = run(s);
     if (!find(result, "released_with_laboratory")) continue;
     ++told;
+    // Rounding of 120 rad in two closed forms.
     EXPECT_NEAR(number(result, "what_is_left", "predicted_rad"), result.rows.back().drift_attitude_rad,
                 1e-9 * result.rows.back().drift_attitude_rad + 1e-13);
     // The energy in space, from the release: w + W in body axes against w.
@@ -364,6 +380,7 @@ TEST(WhyFree, ReleasedWithTheLaboratorysRatesABodyHasTheEarthsBesides) {
                    W_k = W_B[static_cast<int>(k)];
       before += I * w * w, after += I * (2 * w * W_k + W_k * W_k);
     }
+    // Rounding, of a sum that may cancel.
     EXPECT_NEAR(number(result, "released_with_laboratory", "energy_change"), after / before,
                 1e-9 * std::abs(after / before) + 1e-15);
     EXPECT_TRUE(says(result, "released_with_laboratory", after > 0 ? "its energy more by" : "its energy less by"));
@@ -384,9 +401,12 @@ TEST(WhyUnequal, ThePrecessionIsThatOfTheMeanInverseMoment) {
     const RunResult result = run(s);
     if (!find(result, "unequal_moments")) continue;
     ++told;
+    // kg m^2: rounding.
     EXPECT_NEAR(number(result, "unequal_moments", "moment_kg_m2"), 1.25e-4 * (1 - unequal * unequal), 1e-15);
     const double rate = *result.drift.secular->azimuth_rate_rad_s, Omega = s.rotation_rate_rad_s;
+    // The same number with another sign.
     EXPECT_NEAR(std::abs(number(result, "what_is_left", "computed_faster_by_rad_s")), std::abs(rate), 1e-18);
+    // Second order in the inequality, at most a tenth, times what precedes.
     EXPECT_NEAR(number(result, "what_is_left", "predicted_faster_by_rad_s"),
                 number(result, "what_is_left", "computed_faster_by_rad_s"), 0.05 * Omega)
         << i;
@@ -396,6 +416,7 @@ TEST(WhyUnequal, ThePrecessionIsThatOfTheMeanInverseMoment) {
       if (row.t_s > 0) turned += std::remainder(azimuth - before, 2 * std::numbers::pi);
       before = azimuth;
     }
+    // Second order in the inequality, and the rest of a nutation.
     EXPECT_NEAR(number(result, "unequal_moments", "predicted_precession_rad_s"), std::abs(turned) / s.duration_s,
                 0.02 * std::abs(turned) / s.duration_s);
   }
@@ -432,7 +453,9 @@ TEST(WhyTable, WithoutFrictionTheTopPrecessesAboutItsCentreOfMass) {
     EXPECT_LT(number(result, "what_is_left", "predicted_error_rad"), 0.2 * std::abs(predicted));
     const double S = 4e-5 * s.release.spin_rad_s, mgl = 0.1 * 9.80665 * 0.03, u = std::cos(s.release.tilt_deg * kRadians);
     const double p = mgl / S * (1 + 3e-5 * mgl * u / (S * S));  // of the slow precession about C, with its first correction
+    // The next correction, and the nutation at the end.
     EXPECT_NEAR(number(result, "no_friction_holds", "predicted_turned_rad"), p * 6, 0.02 * std::abs(p) * 6);
+    // The same, of the run.
     EXPECT_NEAR(number(result, "no_friction_holds", "computed_turned_rad"), p * 6, 0.03 * std::abs(p) * 6);
   }
   EXPECT_GE(told, 4);
@@ -452,15 +475,34 @@ TEST(WhyTable, MoreFrictionMovesTheAxisAsFarAsIsSaid) {
     EXPECT_EQ(axis, result.rows.back().drift_axis_rad);
     const double up = s.rotation_rate_rad_s * std::sin(s.site.latitude_deg * kRadians);
     if (find(result, "laboratory_turns")) {
+      // rad: rounding of the product.
       EXPECT_NEAR(number(result, "laboratory_turns", "turned_rad"), -up * 6, 1e-12);
+      // The part up to which it is told, 0.3, and rounding.
       EXPECT_NEAR(number(result, "laboratory_turns", "computed_rad"), -up * 6, 0.31 * std::abs(up) * 6);
     }
     s.contact->friction_coefficient *= 1 + percent / 100;
     const auto &one = result.rows.back().ref_axis_L, &other = run(s).rows.back().ref_axis_L;
     const double moved = std::hypot(one[0] - other[0], one[1] - other[1], one[2] - other[2]);
+    // Second order in the change.
     EXPECT_NEAR(moved, axis, 0.1 * axis) << i;
   }
   EXPECT_GE(told, 3);
+}
+
+TEST(WhyTable, ATableThatLeansMovesTheAxisAsFarAsIsSaid) {
+  RandomNumbers draw(83);
+  for (int i = 0; i < 2; ++i) {
+    Scenario s = top_on_table(draw, ContactLaw::rolling);
+    s.contact->start = ContactStart::rolling, s.contact->tip_radius_m = 0.004, s.duration_s = 2;
+    const RunResult result = run(s);
+    const double tilt = number(result, "tilt_weighs", "table_tilt_rad"), axis = number(result, "tilt_weighs", "axis_rad");
+    ASSERT_GT(tilt, 0) << i << result.verdict.reason;
+    EXPECT_EQ(axis, result.rows.back().drift_axis_rad);
+    // The change by an arcsecond is held by the tests of the contact's report.
+    const PredictionChange& change = result.contact->changes.back();
+    EXPECT_EQ(change.input, "table_tilt");
+    EXPECT_DOUBLE_EQ(tilt, axis / change.axis_rad * kRadians / 3600);
+  }
 }
 
 TEST(WhyTable, ATippeTopStandsUpAtAnotherTime) {
@@ -479,11 +521,14 @@ TEST(WhyTable, ATippeTopStandsUpAtAnotherTime) {
   const auto level =
       std::find_if(result.rows.begin(), result.rows.end(), [](const DriftRow& r) { return r.ref_axis_L[2] < 0; });
   ASSERT_NE(level, result.rows.end());
+  // A step of the rows.
   EXPECT_NEAR(number(result, "stands_up", "passes_s"), level->t_s, 0.0021);
   const DriftRow &next = *level, &before = *(level - 1);
   const double part = before.ref_axis_L[2] / (before.ref_axis_L[2] - next.ref_axis_L[2]);
   const double drift = before.drift_tilt_rad + part * (next.drift_tilt_rad - before.drift_tilt_rad);
+  // A parabola between two looks.
   EXPECT_NEAR(number(result, "stands_up", "computed_tilt_rad"), drift, 0.05 * std::abs(drift));
+  // The change of the rate between two looks.
   EXPECT_NEAR(number(result, "stands_up", "predicted_tilt_rad"), drift, 0.1 * std::abs(drift));
   const bool later = number(result, "stands_up", "later_s") > 0;
   EXPECT_TRUE(says(result, "stands_up", later ? " s later. There" : " s earlier. There"));
@@ -514,6 +559,7 @@ TEST(WhyLaws, TheRowsChangeNothing) {
     const std::vector<double> many = all_numbers(result);
     ASSERT_EQ(few.size(), many.size()) << result.verdict.reason;
     EXPECT_GT(many.size(), 4u);
+    // the run takes other steps; a bound is of rounding only.
     for (std::size_t i = 0; i < few.size(); ++i) EXPECT_NEAR(few[i], many[i], 1e-7 * std::abs(many[i]) + 1e-15) << i;
   }
 }

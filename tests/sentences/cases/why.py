@@ -104,6 +104,8 @@ CASES = [
                "While the axis goes round by 2.67 turns, the laboratory turns about its vertical",
                "is how the cone leans and what the table's force makes of it"], scenario="toy-top-on-table", page=ROWS, holds=weighs,
          unless={"/earth/rotation_rate_rad_s": 0}),
+    Case(RUN, "Both predictions have the same table. To first order, one that leans by", scenario="routh-sphere", page=ROWS, holds=weighs,
+         unless={"/earth/rotation_rate_rad_s": 0}),
     Case(RUN, "and the Earth's rate makes it pass 1.69e-06 s earlier", scenario="tippe-top", page=ROWS, holds=stands_up,
          unless={"/motion/duration_s": 0.8}),
     Case(RUN, ["The body spins about the axis of its middle moment, and no such spin is stable",
