@@ -194,7 +194,8 @@ TEST(Report, APendulumShowsItsPlaneFirst) {
   const Report page = page_of_shipped(dir, "foucault-pendulum", "600");
   EXPECT_LT(place_of(page.html, "id=\"rosette-rot\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""));
   EXPECT_LT(place_of(page.html, "<figure class=\"chart\" data-chart=\"plane\""), place_of(page.html, "<canvas id=\"top\""));
-  EXPECT_LT(place_of(page.html, "id=\"section-protocol\""), place_of(page.html, "<figure class=\"chart\" data-chart=\"parts\""));
+  EXPECT_LT(place_of(page.html, "id=\"section-protocol\""),
+            place_of(page.html, "<figure class=\"chart\" data-chart=\"parts\""));
   const auto series = data_of(page.html).at("charts").at("plane").at("series");
   constexpr double kRate = 7.292115e-5, kLatitude = 48.8462 * 3.141592653589793 / 180, kPart = 0.00203294775;
   const double expected = kRate * std::sin(kLatitude) * (1 - kPart) * 600 * 180 / 3.141592653589793;
