@@ -96,6 +96,7 @@ Figure tip_figure(const Run& run, const Motion& motion) {
       line_of(motion, level ? "to the East" : "along axis 1", t, apart[0], LineColor::green, LineStyle::dotted));
   panel.lines.push_back(
       line_of(motion, level ? "to the North" : "along axis 2", t, apart[1], LineColor::orange, LineStyle::dashed));
+  panel.labels_at_lines = true;
   return {
       "Distance of the two contact points", "Rotating minus non-rotating Earth", {"Time", run.time.name}, {std::move(panel)}};
 }

@@ -169,7 +169,8 @@ TEST(Report, EachCurveIsDrawnOnce) {
                                      {{"/motion/duration_s", "2"}})),
                   dir.path() / name, false);
     std::vector<std::string> curves;
-    for (const auto& [chart, data] : data_of(page_of(dir.path() / name)).at("charts").items())
+    const auto charts = data_of(page_of(dir.path() / name)).at("charts");
+    for (const auto& data : charts)
       for (const auto& series : data.value("series", nlohmann::ordered_json::array())) {
         const auto y = series.at("y");
         const bool is_flat = std::all_of(y.begin(), y.end(), [&](const auto& value) { return value == y.at(0); });

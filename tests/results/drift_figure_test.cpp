@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "earthtop/results/results.hpp"
 #include "plot/svg_text.hpp"
@@ -204,6 +208,92 @@ TEST(Svg, WindowsAreTheColumnsOfABand) {
   EXPECT_EQ(bands(picture), 1U);
   const std::size_t end = picture.find("Z\" class=\"et-band\""), begin = picture.rfind("d=\"M", end);
   EXPECT_EQ(count(picture.substr(begin, end - begin), "L") + 1, 4U) << "edges as straight as the growth of the swings";
+}
+
+/// Where a text of a picture stands: x of its anchor and y of its baseline (px); NaN where it is not.
+std::pair<double, double> place_of_text(const std::string& picture, const std::string& text) {
+  const std::size_t end = picture.find(">" + text + "</text>");
+  if (end == picture.npos) return {kNan, kNan};
+  const std::size_t begin = picture.rfind("<text x=\"", end);
+  double x = 0, y = 0;
+  EXPECT_EQ(std::sscanf(picture.c_str() + begin, "<text x=\"%lf\" y=\"%lf\"", &x, &y), 2);
+  return {x, y};
+}
+
+bool has_legend(const std::string& picture) { return picture.find("h22") != picture.npos; }
+
+/// Two lines with labels, the one at 1 and the other at a height.
+Figure two_lines(double height) {
+  Figure figure = figure_of({1, 1, 1});
+  figure.panels[0].lines[0].label = "lower";
+  figure.panels[0].lines.push_back({"higher", {0, 1, 2}, {height, height, height}});
+  figure.panels[0].labels_at_lines = true;
+  return figure;
+}
+
+// Labels stand beside their lines, each nearer to its own; where there is no room between the lines, in a legend.
+TEST(Svg, LabelsStandAtTheirLines) {
+  const Figure apart = two_lines(2), touching = two_lines(1.01);
+  for (const PlotWidth width : {PlotWidth::wide, PlotWidth::narrow}) {
+    const std::string picture = svg(apart, width);
+    EXPECT_FALSE(has_legend(picture));
+    const PlotFrame frame = frame_of(apart, width);
+    const auto y_of = [&](double y) {
+      return frame.floor + (y - frame.y_low) / (frame.y_high - frame.y_low) * (frame.top - frame.floor);
+    };
+    constexpr double kHigh = 10, kGap = 20;  // px: of a letter, and the farthest that a text may stand from its line
+    for (const auto& [label, y] : std::vector<std::pair<std::string, double>>{{"lower", 1}, {"higher", 2}}) {
+      const auto [x, baseline] = place_of_text(picture, label);
+      EXPECT_TRUE(x > frame.left && x <= frame.right) << label;
+      EXPECT_TRUE(baseline < y_of(y) || baseline - kHigh > y_of(y)) << label << " lies on its line";
+      EXPECT_LT(std::abs(baseline - y_of(y)), kGap) << label;
+    }
+  }
+  Figure crowded = touching;
+  for (int i = 0; i < 12; ++i) crowded.panels[0].lines.push_back({"line", {0, 1, 2}, {1 + 0.1 * i, 1 + 0.1 * i, 1 + 0.1 * i}});
+  EXPECT_TRUE(has_legend(svg(crowded)));
+  Figure plain = apart;
+  plain.panels[0].labels_at_lines = false;
+  EXPECT_TRUE(has_legend(svg(plain)));
+}
+
+// A line that swings too fast is a band; without a legend the caption says so.
+TEST(Svg, ACaptionNamesTheBandWhereThereIsNoLegend) {
+  Figure figure = swings(500);
+  figure.panels[0].labels_at_lines = true;
+  figure.panels[0].lines[0].label = "";
+  figure.panels[0].y.label = "Angle";
+  EXPECT_NE(svg(figure).find(">Angle (m; band: least to most)<"), std::string::npos);
+  figure = swings(5);
+  figure.panels[0].labels_at_lines = true;
+  EXPECT_EQ(svg(figure).find("least to most"), std::string::npos);
+}
+
+// The end of a line is marked by a dot and a text, which stands within the picture and not on the line, whether that rises, falls or is
+// level, and even at the panel's upper edge.
+TEST(Svg, TheEndOfALineIsMarked) {
+  for (const double end : {0.0, 0.5, 1.0}) {
+    Figure figure = figure_of({0.5, 1, 0, 0.5 + 0.8 * (end - 0.5), end});
+    figure.panels[0].lines[0].end_label = "the end";
+    for (const PlotWidth width : {PlotWidth::wide, PlotWidth::narrow}) {
+      const std::string picture = svg(figure, width);
+      const PlotFrame frame = frame_of(figure, width);
+      const auto y_of = [&](double y) {
+        return frame.floor + (y - frame.y_low) / (frame.y_high - frame.y_low) * (frame.top - frame.floor);
+      };
+      const std::size_t dot = picture.find("<circle cx=\"");
+      ASSERT_NE(dot, picture.npos);
+      double cx = 0, cy = 0;
+      ASSERT_EQ(std::sscanf(picture.c_str() + dot, "<circle cx=\"%lf\" cy=\"%lf\"", &cx, &cy), 2);
+      constexpr double kRounding = 0.011;  // px: two decimals
+      EXPECT_NEAR(cx, frame.right, kRounding);
+      EXPECT_NEAR(cy, y_of(end), kRounding);
+      const auto [x, baseline] = place_of_text(picture, "the end");
+      EXPECT_TRUE(x <= frame.right + 5 && baseline > frame.top && baseline <= frame.floor) << baseline;
+      EXPECT_TRUE(baseline < cy || baseline - 10 > cy) << "the text lies on the dot";
+      EXPECT_LT(std::abs(baseline - cy), 70) << "the text is far from the dot";
+    }
+  }
 }
 
 // A sine's largest value lies between its twelve points a period.

@@ -6,6 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "text/short_number.hpp"
 
 namespace earthtop {
 namespace {
@@ -54,6 +59,19 @@ TEST(NumberWords, ANumberEndsWhereItsErrorDoes) {
     EXPECT_EQ(known.value, c.shown);
     EXPECT_EQ(known.error, c.shown_error);
   }
+}
+
+TEST(NumberWords, ATitleHasFewDigits) {
+  for (const auto& [value, error, text] : std::vector<std::tuple<double, double, std::string>>{{235.1889, 3e-9, "235.2"},
+                                                                                               {235.1889, 12, "235"},
+                                                                                               {999.96, 0, "1000"},
+                                                                                               {999.94, 0, "999.9"},
+                                                                                               {9.9996, 1e-9, "10.00"},
+                                                                                               {0.18718526, 0, "0.1872"},
+                                                                                               {36, 1e-6, "36.00"},
+                                                                                               {1.2345678e-7, 0, "1.235e-07"},
+                                                                                               {0, 1, "0"}})
+    EXPECT_EQ(short_number(value, error), text) << value;
 }
 
 TEST(NumberWords, NumbersThatDifferAreTold) {

@@ -48,7 +48,7 @@ std::string matching_rule(const Scenario& scenario);
 /// The wall time (s), date (UTC) and host of a run, which differ from run to run, as JSON with a final newline.
 std::string timing_json(const RunResult& result);
 
-/// The figure of the drift over time: the angle between the two axes with its error bound, and its azimuth and tilt parts.
+/// The figure of the drift over time, which is also the chart of the run's page: the angle between the two axes and its parts.
 Figure drift_figure(const RunResult& result);
 
 /// Checks whether the results of `scenario` may be written to `dir`, which need not exist. To be called before a run, so that

@@ -28,7 +28,8 @@ function shapeOf(top, hasAttitude, isOnTable) {
     return { kind: "box", half: half.map((x) => Math.max(x * unit, 0.02)), centre: times(unit, centre), unit };
   }
   if (!known) return { kind: "disc", ...kDisc };
-  if (isOnTable) return equal && size(centre) === 0 ? { kind: "ball", radius: 0.5, rolls: true } : { kind: "disc", ...kDisc };
+  // A top whose centre of mass is below that of its tip's sphere is a ball, as a tippe top is.
+  if (isOnTable) return (equal && size(centre) === 0) || centre[2] < 0 ? { kind: "ball", radius: 0.5, rolls: true } : { kind: "disc", ...kDisc };
   if (centre[2] === 0) return { kind: "disc", ...kDisc, height: 0, low: -0.7 };
   if (centre[2] > 0) return { kind: "disc", ...kDisc };
   const wide = (0.85 * Math.sqrt(2.5 * moments[2] / mass)) / -centre[2];
@@ -246,14 +247,25 @@ function paintAnyBody(ink, shape, drawn, ghost) {
   else paintDisc(ink, shape.kind === "disc" ? shape : kDisc, axis, turned, ghost);
 }
 
-/** The axis as a line through the body and beyond it. */
-function paintAxis(ink, axis, hangs, name) {
-  ink.line(times(hangs ? 0.2 : -0.12, axis), times(hangs ? -1.25 : kAxisEnd, axis), name, 2);
+/** Where on the axis it begins and ends as it is drawn, from the pivot, or from the centre of a ball that rolls. */
+function axisEnds(shape) {
+  if (shape.rolls) return [-1.4 * shape.radius, 1.4 * shape.radius];
+  return shape.height < 0 ? [0.2, -kAxisEnd] : [-0.12, kAxisEnd];
+}
+
+/** The axis as a line through the body and beyond it; with `over`, only what the body does not hide. */
+function paintAxis(ink, shape, axis, name, over) {
+  let [from, to] = axisEnds(shape);
+  const faces = dot(axis, ink.eye) >= 0;
+  if (over && shape.rolls) [from, to] = faces ? [shape.radius, to] : [-shape.radius, from];
+  else if (over && shape.kind === "disc" && faces) from = shape.height + shape.thickness / 2;
+  else if (over && shape.kind !== "box") return;
+  ink.line(times(from, axis), times(to, axis), name, 2);
 }
 
 /** The cone that the predicted axis moves on: the part of it that lies about the time shown. */
-function paintCone(ink, path) {
-  const { pen, put } = ink, rim = path.map((p) => times(kAxisEnd, p));
+function paintCone(ink, shape, path) {
+  const { pen, put } = ink, rim = path.map((p) => times(Math.abs(axisEnds(shape)[1]), p));
   trace(pen, [put([0, 0, 0]), ...rim.map(put)]);
   pen.closePath();
   pen.globalAlpha = 0.1;
@@ -276,26 +288,28 @@ function paintTop(pen, project, eye, scene) {
     const [x, y] = put(tip);
     ink.write(name, x + 4, y);
   }
-  ink.place = scene.refTip;
-  if (scene.cone.length > 2) paintCone(ink, scene.cone);
+  // What is drawn of a ball that rolls is about its centre.
+  const raised = (tip) => (shape.rolls ? combine(1, tip, shape.radius, [0, 0, 1]) : tip);
+  ink.place = raised(scene.refTip);
+  if (scene.cone.length > 2) paintCone(ink, shape, scene.cone);
   ink.place = origin;
   if (scene.earth) paintArrow(ink, origin, times(1.2, scene.earth), "earth", "Earth's axis");
   if (scene.precession) paintArrow(ink, origin, times(1.1, scene.precession), "precession", "precession axis");
   if (scene.path.length > 1) ink.path(scene.path, kPalette.axis);
   // The end of the axis that is marked: below the pivot where the top hangs from it.
-  const end = (axis) => (shape.rolls ? combine(shape.radius, axis, shape.radius, [0, 0, 1]) : times(shape.height < 0 ? -1 : kAxisEnd, axis));
-  ink.place = scene.tip;
-  const hangs = shape.height < 0;
-  if (body.axis && !shape.rolls) paintAxis(ink, body.axis, hangs, "axis");
-  paintBody(ink, shape, body, false);
-  if (body.axis) {
-    spot(pen, put(end(body.axis)), 4.5, kPalette.axis);
-  }
-  ink.place = scene.refTip;
-  paintBody(ink, shape, ghost, true);
-  if (ghost.axis) {
-    if (!shape.rolls) paintAxis(ink, ghost.axis, hangs, "ref");
-    spot(pen, put(end(ghost.axis)), 8, kPalette.ref, 2);
+  const end = (axis) => combine(axisEnds(shape)[1], axis, shape.rolls ? shape.radius : 0, [0, 0, 1]);
+  const axisOf = (axis, tip, name, over) => {
+    ink.place = raised(tip);
+    paintAxis(ink, shape, axis, name, over);
+    ink.place = tip;
+  };
+  for (const [drawn, tip, name, ghostly] of [[body, scene.tip, "axis", false], [ghost, scene.refTip, "ref", true]]) {
+    ink.place = tip;
+    if (drawn.axis) axisOf(drawn.axis, tip, name, false);
+    paintBody(ink, shape, drawn, ghostly);
+    if (!drawn.axis) continue;
+    axisOf(drawn.axis, tip, name, true);
+    spot(pen, put(end(drawn.axis)), ghostly ? 8 : 4.5, kPalette[name], ghostly ? 2 : 0);
   }
   ink.place = scene.tip;
   const centre = shape.kind === "disc" ? times(shape.height, body.axis ?? ghost.axis ?? origin) : shape.centre && body.attitude ?

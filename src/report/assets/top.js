@@ -157,7 +157,7 @@ function readMotion(data) {
   const spin = isNumber(turns) ? turns : 0, span = axis.last - axis.first;
   const turn = turnOf(ref);
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
-  const hangs = shape.height < 0 || samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
+  const hangs = shape.height < 0 || !shape.rolls && samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
     axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, gimbal: readGimbal(data), spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
@@ -228,7 +228,7 @@ function startTop(data) {
       shape: motion.shape, tip: motion.tip.at(time), refTip: motion.refTip.at(time), path: motion.tip.until(time),
       body: { axis: drawn, turned, rotor, masses, caged, attitude: motion.attitude.at(time), carry, gimbal: motion.gimbal?.at(time, carry) },
       ghost: { axis: ref, turned: refTurned, rotor, masses, caged: refCaged, attitude: motion.refAttitude.at(time), carry: still, gimbal: motion.gimbal?.refAt(time, still) },
-      earth: motion.earth, cone: motion.shape.rolls ? [] : coneAt(motion, time), precession: shown ? motion.precession : null,
+      earth: motion.earth, cone: coneAt(motion, time), precession: shown ? motion.precession : null,
       torques: shown ? motion.torques.map((t) => ({ name: t.name, says: t.says, vector: times(t.scale, t.at(time)) })) : [],
     });
   };
