@@ -26,9 +26,9 @@ std::string facts_html(const Facts& facts);
 /// A table in a box that scrolls by itself where the page is narrow. The cells are HTML; the header's cells are text.
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
-/// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit; empty where
+/// A number with its unit, e.g. "1.14 × 10⁻³ rad", with a machine-readable value that is exact to the last bit; empty where
 /// it is not finite.
-std::string number_html(double value, std::string_view unit, int digits = 7);
+std::string number_html(double value, std::string_view unit, int digits = 4);
 /// The same of a document's value; empty where that is no number.
 std::string number_html(const Json& value, std::string_view unit, int digits);
 
@@ -43,7 +43,9 @@ class Page {
   /// @param notes  sentences on what could not be verified
   Page(std::string kind, std::string title, std::vector<std::string> notes = {});
 
-  /// Sets the sentence under the title; HTML.
+  /// Sets the heading: what was found, in a sentence. The title then stands above it, in small.
+  void finding(std::string text) { finding_ = std::move(text); }
+  /// Sets the sentence under the heading; HTML.
   void headline(std::string html) { headline_ = std::move(html); }
   void verdict(std::string_view word, std::string html);
   void section(std::string_view id, std::string_view title, std::string html);
@@ -67,7 +69,7 @@ class Page {
   /// Both drawings of a figure with its caption and a table; the wide one is kept.
   std::string drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table);
 
-  std::string title_, headline_, verdict_, navigation_, sections_;
+  std::string title_, finding_, headline_, verdict_, navigation_, sections_;
   Json data_ = Json::object();
   std::vector<std::pair<std::string, std::string>> pictures_;
   std::vector<std::string> notes_;

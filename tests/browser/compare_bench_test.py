@@ -36,7 +36,7 @@ def compared(program: Program, checks_: checks.Checks, page: devtools.Page, new:
     checks_.expect(headline == conclusion, f"{new}: the page says {headline}")
     quantities = document["pairs"][0]["quantities"]
     failed = [quantity for quantity in quantities if not quantity["passed"]]
-    visible = page.evaluate("[...document.querySelectorAll('tbody tr')].filter(e => e.checkVisibility()).map(e => e.cells[1].textContent)")
+    visible = page.evaluate("[...document.querySelectorAll('tbody tr')].filter(e => e.checkVisibility()).map(e => e.cells[1].firstElementChild.title)")
     checks_.expect(visible == [quantity["name"] for quantity in failed], f"{new}: the page lists {visible[:5]} ... before it is asked")
     checks_.expect(sum("FAILED" in line for line in lines) >= len(failed) and not any(line.startswith("  ok") for line in lines),
                    f"{new}: the terminal lists what passed, too")
@@ -45,7 +45,7 @@ def compared(program: Program, checks_: checks.Checks, page: devtools.Page, new:
     page.evaluate("[...document.querySelectorAll('details')].forEach(e => { e.open = true; })")
     page.frames(2)
     table = page.evaluate("""[...document.querySelectorAll('details tr')].filter(e => e.cells.length === 10)
-        .map(e => [e.cells[1].textContent, e.querySelector('data')?.value])""")
+        .map(e => [e.cells[1].firstElementChild.title, e.querySelector('data')?.value])""")
     shown = {name: float(value) for name, value in table if value}
     for quantity in quantities:
         checks_.expect(shown.get(quantity["name"]) == quantity["largest_difference"],
@@ -102,8 +102,9 @@ def bench(program: Program, checks_: checks.Checks, page: devtools.Page) -> None
     for (seconds, error, text), entry in zip(marks, entries):
         wanted = max(entry["error"][f"{scene['compared_error']}_rad"], floor)
         checks_.expect(seconds == entry["seconds"] and error == wanted, f"a mark at {seconds, error}, in the document {entry['seconds'], wanted}")
-        said = [entry["method"], f"{seconds:.3g} s", f"error {error:.3g} rad"]
-        said += [f"tolerance {entry['relative_tolerance']:g}"] if entry["relative_tolerance"] else []
+        said = [entry["method"], f"{checks.with_powers(f'{seconds:.3g}')} s", f"error {checks.with_powers(f'{error:.3g}')} rad"]
+        tolerance = entry["relative_tolerance"]
+        said += [f"tolerance {checks.with_powers(f'{tolerance:g}')}"] if tolerance else []
         checks_.expect(all(words in text for words in said), f"{text!r} does not say {said}")
     for width, touch in ((1280, False), (390, True)):
         page.resize(width)

@@ -51,7 +51,7 @@ function startMarks(figure, pictures, chart) {
     const f = (x) => (scale === "log" ? Math.log10(x) : x);
     return (f(value) - f(low)) / (f(high) - f(low) || 1);
   };
-  const readout = addReadout(pictures, "Point at a mark, tap it, or focus the chart and use the arrow keys.");
+  const readout = addReadout(pictures, kHasPointer ? "Point at a mark, or focus the chart and use the arrow keys." : "Tap a mark.");
   const views = pictures.map((picture) => {
     const at = frameOf(picture, chart), ring = drawnElement("circle", { class: "et-ring", r: 7, visibility: "hidden" });
     picture.append(ring);
@@ -93,7 +93,7 @@ function startChart(figure, pictures, chart) {
     picture.append(line);
     return { picture, line, place: (x) => left + share(x) * (right - left) };
   });
-  const readout = addReadout(pictures, "Point at the chart, or focus it and use the arrow keys.");
+  const readout = addReadout(pictures, kHasPointer ? "Point at the chart, or focus it and use the arrow keys." : "Tap the chart for its values.");
   let current = -1;
   const show = (k) => {
     current = k;
