@@ -188,16 +188,17 @@ Report bench_page(const Json& document, const std::vector<std::string>& notes) {
     std::vector<Mark> marks;
     marks.reserve(entries.size());
     for (const Entry& entry : entries) marks.push_back({entry.seconds, entry.error, entry.text()});
-    page.section(fmt::format("scene{}", i), text_of(scene, "scenario"),
-                 fmt::format("<p>{}. Reference: {}; checked against {}.</p>\n", escaped(text_of(scene, "title")),
-                             escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
-                     page.chart_of_marks(
-                         fmt::format("bench{}", i), bench_chart(scene, entries), marks,
-                         "Error against processor time. Marks further down or to the left are better; no mark beats those on "
-                         "the front in both. Filled marks: the reduced equations, or a method's own; hollow ones: the general "
-                         "equations, dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: "
-                         "float128.") +
-                     entries_table(scene));
+    page.section(
+        fmt::format("scene{}", i), text_of(scene, "scenario"),
+        fmt::format("<p>{}. Reference: {}; checked against {}.</p>\n", escaped(text_of(scene, "title")),
+                    with_powers(escaped(text_of(reference, "source"))), with_powers(escaped(text_of(reference, "witness")))) +
+            page.chart_of_marks(
+                fmt::format("bench{}", i), bench_chart(scene, entries), marks,
+                "Error against processor time. Marks further down or to the left are better; no mark beats those on "
+                "the front in both. Filled marks: the reduced equations, or a method's own; hollow ones: the general "
+                "equations, dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: "
+                "float128.") +
+            entries_table(scene));
   }
   return page.finish();
 }

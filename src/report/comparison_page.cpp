@@ -10,6 +10,7 @@
 #include "results/meanings.hpp"
 #include "results/time_unit.hpp"
 #include "results/unit_of_name.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -146,7 +147,7 @@ Report comparison_page(const Json& document, const std::vector<std::string>& not
   for (const Json& sentence : document.value("conclusion", Json::array()))
     if (sentence.is_string()) conclusion += (conclusion.empty() ? "" : " ") + escaped(sentence.get<std::string>());
   page.finding(finding_of(document, pairs, verdict));
-  page.headline(std::move(conclusion));
+  page.headline(with_powers(conclusion));
   page.verdict(verdict, fmt::format("<strong>{}</strong>: {} against {}, profile {}.", escaped(verdict),
                                     escaped(text_of(document, "new")), escaped(text_of(document, "reference")),
                                     escaped(text_of(document, "profile"))));

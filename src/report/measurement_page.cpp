@@ -23,6 +23,11 @@ std::string words_of(const Json& json, const char* key) {
   return value.is_string() ? value.get<std::string>() : "";
 }
 
+/// A file's name, with its path on demand.
+std::string file_html(const std::string& file) {
+  return fmt::format("<span title=\"{}\">{}</span>", escaped(file), escaped(file.substr(file.find_last_of('/') + 1)));
+}
+
 std::string chi_squared_html(const Json& chi_squared) {
   if (!chi_squared.is_object()) return "";
   std::string html = fmt::format("{} with {} degrees of freedom", number_html(chi_squared.at("value").get<double>(), "", 6),
@@ -216,7 +221,7 @@ Report measurement_page(const Json& document, const std::vector<std::string>& no
   page.finding(finding_of(
       document, fmt::format("The measured rows {} with the scenario {}.", agrees ? "agree" : "do not agree", scenario)));
   page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
-                            count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),
+                            count_in(document.at("rows")), file_html(document.at("file").get<std::string>()), escaped(scenario),
                             agrees ? "agree" : "do not agree"));
   add_verdict(page, agrees);
   add_estimates(page, document);
@@ -243,7 +248,7 @@ Report releases_page(const Json& document, const std::vector<std::string>& notes
     const Json& last = both.at("fitted").is_object() ? both.at("fitted") : both.at("as_given");
     facts.emplace_back(
         fmt::format("release {}", r + 1),
-        fmt::format("{} against {}: {} rows; prediction {}; chi-squared {} of {} values", escaped(words_of(release, "file")),
+        fmt::format("{} against {}: {} rows; prediction {}; chi-squared {} of {} values", file_html(words_of(release, "file")),
                     escaped(words_of(release.at("scenario"), "name")), count_in(release.at("rows")), prediction_html(release),
                     number_html(last.at("value").get<double>(), "", 6), release.at("residuals").size()));
     for (const Json& note : release.at("notes"))

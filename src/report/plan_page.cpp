@@ -2,6 +2,7 @@
 // The page of a planned measurement, from the document that `plan SCENARIO --json` writes.
 #include <fmt/core.h>
 
+#include <cctype>
 #include <cmath>
 
 #include "earthtop/plan/plan.hpp"
@@ -10,6 +11,7 @@
 #include "report/study_words.hpp"
 #include "results/meanings.hpp"
 #include "text/json.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -24,7 +26,7 @@ PlanReport pictured(const Json& document) {
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
   if (document.at("estimates").empty()) refuse_value("a plan has an estimate");
   for (const Json& estimate : document.at("estimates"))
-    report.estimates.push_back({estimate.at("name").get<std::string>(),
+    report.estimates.push_back({input_words(estimate),
                                 estimate.at("unit").get<std::string>(),
                                 estimate.at("value").get<double>(),
                                 false,
@@ -91,6 +93,17 @@ std::string measured_html(const std::string& name) {
       escaped(words.unit.empty() ? words.words : fmt::format("{} ({})", words.words, unit_in_signs(words.unit))));
 }
 
+/// A sentence of the plan in which inputs have their words, and powers of ten are raised.
+std::string in_words(const Json& document, std::string text) {
+  for (const Json& estimate : document.at("estimates")) {
+    const std::string name = input_name(estimate), words = "the " + input_words(estimate);
+    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + words.size()))
+      text.replace(at, name.size(), words);
+  }
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return with_powers(text);
+}
+
 /// What the plan says, in a sentence.
 std::string finding_of(const Json& document, bool is_determined) {
   if (!is_determined) return "This measurement would not determine all that it is to determine.";
@@ -123,7 +136,7 @@ Report plan_page(const Json& document, const std::vector<std::string>& notes) {
   Page page("plan", "Planned measurement of " + report.scenario_name, notes);
   const std::string advice = document.at("advice").get<std::string>(), reason = document.at("reason").get<std::string>();
   page.finding(finding_of(document, is_determined));
-  page.headline(escaped(is_determined ? advice : reason + (advice.empty() ? "" : ". " + advice)));
+  page.headline(escaped(in_words(document, is_determined ? advice : reason + (advice.empty() ? "" : ". " + advice))));
   page.verdict(is_determined ? "same" : "differs",
                is_determined ? "<strong>determined</strong>" : "<strong>not determined</strong>");
   std::string measured;

@@ -107,7 +107,7 @@ std::string figures_section(const Json& study) {
     const auto number = [&](const char* key, int digits) { return named.second.number(figure.value(key, Json()), digits); };
     rows.push_back({fmt::format("<span title=\"{}\">{}</span>", escaped(pointer), escaped(named.first)),
                     number("value", kDigits), number("computed", kDigits), number("tolerance", 2),
-                    figure.value("met", false) ? "met" : "NOT MET", escaped(figure.value("origin", ""))});
+                    figure.value("met", false) ? "met" : "NOT MET", with_powers(escaped(figure.value("origin", "")))});
   }
   return rows.empty() ? "" : table_html({"figure", "stated", "computed", "tolerance", "", "origin"}, rows);
 }
@@ -187,7 +187,7 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   if (!check.note.empty()) notes.push_back(check.note);
   Page page("study", title, std::move(notes));
   page.finding(study_finding(study) + ".");
-  page.headline(escaped(study.value("finding", "")));
+  page.headline(with_powers(escaped(study.value("finding", ""))));
   const std::uint64_t failed = count_in(study.at("points_failed")), computed = count_in(study.at("points_computed")),
                       planned = count_in(study.at("points_planned"));
   page.verdict(failed == 0 && computed == planned ? "same" : "differs", escaped(study_certainty(study)));

@@ -3,6 +3,7 @@
 
 import argparse
 import pathlib
+import re
 import sys
 import tempfile
 import time
@@ -26,6 +27,11 @@ def with_powers(text: str) -> str:
         return text
     power = "10" + "".join("⁻" if c == "-" else RAISED[int(c)] for c in str(int(exponent)))
     return power if mantissa == "1" else f"{mantissa} × {power}"
+
+
+def powers_in(text: str) -> str:
+    """A text in which all numbers are written so."""
+    return re.sub(r"(?<![\w.])\d+(?:\.\d+)?e[-+]\d+", lambda found: with_powers(found[0]), text)
 
 
 def number(text: str) -> float:

@@ -17,6 +17,7 @@ from typing import Any
 
 import checks
 import devtools
+import layout
 from shipped_pages import SCENARIOS, Program, Report, monte_carlo
 
 HOSTILE = "</script><img src=x onerror=window.hacked=1>'\"&\nEOF\n"
@@ -258,6 +259,8 @@ def test(browser: devtools.Browser, program: Program, checks_: checks.Checks) ->
             if report.name != "listed":  # whose curve is drawn above
                 labels(page, checks_, f"{report.name} at {width} px", width)
             checks_.fits(page, f"{report.name} at {width} px")
+        for fault in [*layout.phone_faults(page, False), *layout.tablet_faults(page)]:
+            checks_.expect(False, f"{report.name}: {fault}")
         again(page, program, report, checks_)
         checks_.silent(page, report.page, report.name)
         page.close()

@@ -13,12 +13,13 @@
 
 #include "earthtop/plot/plot.hpp"
 #include "plot/palette.hpp"
+#include "plot/strokes.hpp"
 
 namespace earthtop {
 namespace {
 
 std::string source(const char* file) {
-  std::ifstream in(std::string(EARTHTOP_TESTS) + "/../src/" + file);
+  std::ifstream in(std::string(EARTHTOP_TESTS) + "/../" + file);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
@@ -59,7 +60,7 @@ TEST(Look, CurvesAndTextCanBeSeen) {
 }
 
 TEST(Look, ThePagesHaveTheColoursOfThePictures) {
-  const std::string css = source("report/assets/page.css");
+  const std::string css = source("src/report/assets/page.css");
   const std::size_t dark = css.find("prefers-color-scheme: dark");
   ASSERT_NE(dark, css.npos);
   const std::string light_rules = css.substr(0, dark), dark_rules = css.substr(dark, css.find("prefers-contrast", dark) - dark);
@@ -92,8 +93,17 @@ TEST(Look, APictureByItselfIsReadableInTheDark) {
           << curve.ink.name;
 }
 
+TEST(Look, PythonHasTheColoursOfThePictures) {
+  const std::string look = source("tools/python/earthtop/_look.py");
+  std::string curves;
+  for (const CurveInk& curve : kCurveInks) curves += fmt::format("{}\"{}\"", curves.empty() ? "" : ", ", curve.ink.light);
+  EXPECT_NE(look.find("CURVES = (" + curves + ")"), look.npos);
+  EXPECT_NE(look.find(fmt::format("MUTED = \"{}\"", kMuted.light)), look.npos);
+  EXPECT_NE(look.find(fmt::format("BAND_OPACITY = {}\n", kBandOpacity)), look.npos);
+}
+
 TEST(Look, TheDescriptionHasTheTablesNumbers) {
-  const std::string text = source("plot/README.md");
+  const std::string text = source("src/plot/README.md");
   for (const Ink& ink : all_inks())
     EXPECT_NE(text.find(fmt::format("| `{}` | `{}` | {:.1f} | `{}` | {:.1f} |", ink.name, ink.light,
                                     contrast(ink.light, kPage.light), ink.dark, contrast(ink.dark, kPage.dark))),

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace earthtop::report {
 namespace {
 
@@ -15,7 +20,7 @@ Json over_latitude(const std::vector<double>& latitudes, const std::vector<doubl
       {"design", {{"kind", "grid"}}},
       {"points_planned", latitudes.size()},
       {"points_computed", latitudes.size()},
-      {"points_failed", 0},
+      {"points_failed", 0U},
       {"axes", Json::array({{{"name", "latitude_deg"}, {"pointers", {"/site/latitude_deg"}}, {"values", latitudes}}})},
       {"quantities", Json::array({{{"name", "drift.axis_final_rad"}, {"path", "drift.axis_final_rad"}}})}};
   Json rows = Json::array(), points = Json::array();
@@ -75,13 +80,13 @@ TEST(StudyFinding, HasWordsForSettingsThatAreNoNumbers) {
 
 TEST(StudyFinding, CountsWhatFailed) {
   Json study = over_latitude({10, 40, 80}, {320, 100, 40});
-  study["points_failed"] = 1, study["points_computed"] = 4, study["points_planned"] = 6;
+  study["points_failed"] = 1U, study["points_computed"] = 4U, study["points_planned"] = 6U;
   EXPECT_EQ(study_certainty(study), "4 of 6 points are computed so far; 1 of them failed and is left out.");
-  study["points_computed"] = 1;
+  study["points_computed"] = 1U;
   EXPECT_EQ(study_finding(study), "The only point failed: there is nothing to tell");
-  study["points_computed"] = 0, study["points_failed"] = 0;
+  study["points_computed"] = 0U, study["points_failed"] = 0U;
   EXPECT_EQ(study_finding(study), "No point of this study has been computed yet");
-  study["points_computed"] = 3;
+  study["points_computed"] = 3U;
   study["statistics"] = Json::object();
   EXPECT_EQ(study_finding(study), "No point has a number of what this study collects");
 }
