@@ -40,7 +40,7 @@ std::string finding_of(const Json& document, const Json& pairs, const std::strin
   const Json quantities = pairs.front().value("quantities", Json::array());
   const auto failed =
       std::count_if(quantities.begin(), quantities.end(), [](const Json& q) { return !q.value("passed", false); });
-  if (failed == 0) return both + " are not the same.";
+  if (failed == 0) return both + " differ.";
   return fmt::format("{} differ: {} of {} quantities by more than their tolerances.", both, failed, quantities.size());
 }
 

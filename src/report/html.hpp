@@ -43,7 +43,7 @@ class Page {
   /// @param notes  sentences on what could not be verified
   Page(std::string kind, std::string title, std::vector<std::string> notes = {});
 
-  /// Sets the heading: what was found, in a sentence. The title then stands above it, in small.
+  /// Sets the heading: what was found, in a sentence; not where it is empty. The title then stands above it, in small.
   void finding(std::string text) { finding_ = std::move(text); }
   /// Sets the sentence under the heading; HTML.
   void headline(std::string html) { headline_ = std::move(html); }

@@ -234,8 +234,7 @@ Report releases_page(const Json& document, const std::vector<std::string>& notes
   const bool agrees = document.at("agrees").get<bool>();
   const Json& releases = document.at("releases");
   Page page("measurement", fmt::format("{} releases, one fit", releases.size()), notes);
-  page.finding(finding_of(
-      document, fmt::format("The {} releases {} with their scenarios.", releases.size(), agrees ? "agree" : "do not agree")));
+  page.finding(finding_of(document, ""));
   page.headline(fmt::format("{} releases compared with their scenarios by one fit: they <strong>{}</strong>.", releases.size(),
                             agrees ? "agree" : "do not agree"));
   add_verdict(page, agrees);

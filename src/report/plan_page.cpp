@@ -26,7 +26,7 @@ PlanReport pictured(const Json& document) {
   report.scenario_name = document.at("scenario").at("name").get<std::string>();
   if (document.at("estimates").empty()) refuse_value("a plan has an estimate");
   for (const Json& estimate : document.at("estimates"))
-    report.estimates.push_back({input_words(estimate),
+    report.estimates.push_back({estimate.at("name").get<std::string>(),
                                 estimate.at("unit").get<std::string>(),
                                 estimate.at("value").get<double>(),
                                 false,

@@ -142,11 +142,11 @@ std::string grid_finding(const Json& study, const StudyColumn& quantity, double 
 /// Of settings changed one at a time: the one whose change moves the quantity most from the point where none is changed.
 std::string one_by_one_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
   const std::vector<StudyColumn> settings = settings_of(study);
-  const Json points = study.value("points", Json());
+  Json points = study.value("points", Json());
+  if (!points.is_array()) points = Json::array();  // there are more than a document lists
   const auto value_of = [&](const Json& point) { return number_at(point, quantity.key.c_str()); };
   const Json* base = nullptr;
   const Json* farthest = nullptr;
-  if (!points.is_array()) return "";
   for (const Json& point : points)
     if (!base &&
         std::all_of(settings.begin(), settings.end(), [&](const auto& s) { return point.value(s.key, Json()).is_null(); }))

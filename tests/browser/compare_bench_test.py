@@ -155,6 +155,20 @@ def bench(program: Program, checks_: checks.Checks, page: devtools.Page) -> None
     checks_.silent(page, file, "hostile bench")
 
 
+def planned(program: Program, checks_: checks.Checks, page: devtools.Page) -> None:
+    """The heading of a plan has the document's standard error and its share of the value."""
+    text = program.run("plan", SCENARIOS / "free-gyro.json", "--measure", "azimuth_deg", "--sigma", "0.05", "--every", "1", "--json")
+    first = json.loads(text)["estimates"][0]
+    page.open(program.document_report("plan-page", "plan", text).page.as_uri())
+    heading = page.evaluate("document.querySelector('h1').textContent")
+    share = 100 * first["standard_error"] / first["value"]
+    wanted = (f"This measurement would tell the Earth's rate times sin(latitude) to ±{checks.with_powers(format(first['standard_error'], '.2g'))} "
+              f"rad/s, {checks.with_powers(format(share, '.2g'))} % of its value.")
+    checks_.expect(heading == wanted, f"the plan's heading is {heading!r}, not {wanted!r}")
+    shown = page.evaluate("document.querySelector('header').innerText")
+    checks_.expect("omega_sin" not in shown, f"a name in place of words: {shown[:300]}")
+
+
 def test(browser: devtools.Browser, program: Program, checks_: checks.Checks) -> None:
     toy_top = json.loads((SCENARIOS / "toy-top.json").read_text())
     for name, changed in (("toy-top", toy_top), ("elsewhere", {**toy_top, "site": {**toy_top["site"], "latitude_deg": 46}}),
@@ -164,6 +178,7 @@ def test(browser: devtools.Browser, program: Program, checks_: checks.Checks) ->
     for new in ("toy-top", "elsewhere", "hostile"):
         compared(program, checks_, page, new)
     bench(program, checks_, page)
+    planned(program, checks_, page)
     page.close()
 
 

@@ -57,7 +57,8 @@ def listed() -> dict[str, Any]:
     """A list of pairs of values, which vary together."""
     study = small_grid()
     return {**study, "name": "listed", "axes": [
-        {"name": "place", "pointers": ["/site/latitude_deg", "/release/azimuth_deg"], "values": [[10, 1], [20, 2], [50, 90]]}]}
+        {"name": "place", "pointers": ["/site/latitude_deg", "/release/azimuth_deg"], "values": [[10, 1], [20, 2], [50, 90]]}],
+        "fits": [{"kind": "power_law", "axis": "place", "quantity": "drift.axis_final_rad"}]}
 
 
 def pasted(program: Program, command: str, directory: str) -> pathlib.Path:
@@ -190,6 +191,9 @@ def found(page: devtools.Page, report: Report, checks_: checks.Checks) -> None:
         wanted = [arcseconds(ranked[math.floor(share * (len(ranked) - 1) + 0.5)]) for share in (0.05, 0.5, 0.95)]
         wanted += ["median", "nine tenths", "azimuth"]
     elif report.name == "listed":
+        laws = page.evaluate("document.querySelector('#section-fits').innerText")
+        checks_.expect("drift of the axis at the end = a × (place to the power b)" in laws and "The fits are of numbers in SI units" in laws,
+                       f"{report.name}: the fit is told as {laws!r}")
         wanted = [f"from {arcseconds(values[0])} at {float(table[0]['place']):g}", f"to {arcseconds(values[-1])} at {float(table[-1]['place']):g}"]
     else:
         def means(axis: str) -> dict[float, float]:

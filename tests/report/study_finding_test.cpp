@@ -125,6 +125,9 @@ TEST(StudyFinding, ComparesSettingsChangedOneAtATime) {
   EXPECT_EQ(study_finding(study),
             "Of 2 settings changed one at a time, the spin moves the drift of the axis at the end most: from 110″ to 300″, at "
             "202 rad/s");
+  study["points"] = nullptr;  // more than a document lists
+  EXPECT_EQ(study_finding(study),
+            "With one setting changed at a time, the drift of the axis at the end lies between 100″ and 300″");
 }
 
 TEST(StudyFinding, TellsTheSpreadOfDrawnPoints) {
