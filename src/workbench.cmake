@@ -112,8 +112,10 @@ add_library(earthtop-workbench
   report/run_page.cpp
   report/seen.cpp
   report/study_cells.cpp
+  report/study_finding.cpp
   report/study_page.cpp
   report/study_points.cpp
+  report/study_words.cpp
   report/thinning.cpp
   study/chunk.cpp
   study/collect.cpp

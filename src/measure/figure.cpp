@@ -113,7 +113,7 @@ ShownUnit unit_for(std::string_view quantity, const std::vector<Point>& points) 
   double largest = 0;
   for (const Point& point : points) largest = std::isfinite(point.value) ? std::max(largest, std::abs(point.value)) : largest;
   constexpr double kDegrees = 180 / std::numbers::pi;
-  return largest > 0.25 / kDegrees ? ShownUnit{"deg", kDegrees} : ShownUnit{"arcsec", 3600 * kDegrees};
+  return largest > 0.25 / kDegrees ? ShownUnit{"°", kDegrees} : ShownUnit{"″", 3600 * kDegrees};
 }
 
 /// A quantity as a picture calls it: "axis_azimuth" -> "Azimuth of the axis".

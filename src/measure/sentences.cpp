@@ -8,6 +8,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/measure/measurement.hpp"
 #include "measure/sigmas.hpp"
+#include "measure/spoken_input.hpp"
 
 namespace earthtop {
 namespace measure {
@@ -37,6 +38,13 @@ constexpr SpokenInput kSpokenInputs[] = {
 };
 
 }  // namespace
+
+std::string spoken_input(std::string_view name) {
+  const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
+                                   [&](const SpokenInput& input) { return input.name == name; });
+  return std::string(known == std::end(kSpokenInputs) ? name : known->spoken);
+}
+
 }  // namespace measure
 
 std::string with_standard_error(double value, double error) {
@@ -55,12 +63,9 @@ std::string estimate_sentence(const ParameterEstimate& given, bool by_scatter) {
   using namespace measure;
   if (!given.estimate || !given.standard_error) return "";
   const double error = *given.said_error(by_scatter);
-  const auto* known = std::find_if(std::begin(kSpokenInputs), std::end(kSpokenInputs),
-                                   [&](const SpokenInput& input) { return input.name == given.name; });
-  const bool is_known = known != std::end(kSpokenInputs);
   std::string text = fmt::format("{}{} is {}{}{}", given.release > 0 ? fmt::format("in release {}, ", given.release) : "",
-                                 is_known ? known->spoken : std::string_view(given.name),
-                                 with_standard_error(*given.estimate, error), given.unit.empty() ? "" : " ", given.unit);
+                                 spoken_input(given.name), with_standard_error(*given.estimate, error),
+                                 given.unit.empty() ? "" : " ", given.unit);
   if (!(error > 0) || !std::isfinite(error)) return text;
   if (error > *given.standard_error)
     text += fmt::format(" (the standard error that the scatter gives, {:.2g} times the one from the stated errors)",

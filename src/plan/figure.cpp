@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "earthtop/plan/plan.hpp"
+#include "measure/spoken_input.hpp"
 
 namespace earthtop {
 
@@ -11,7 +12,7 @@ Figure plan_figure(const PlanReport& report) {
   Figure figure{"What a measurement would show", "", {"Changed by a factor of", "", AxisScale::logarithmic}, {}};
   if (report.estimates.empty()) return figure;
   const PlannedEstimate& target = report.estimates[0];
-  figure.subtitle = fmt::format("{}: standard error of {}", report.scenario_name, target.name);
+  figure.subtitle = fmt::format("{}: standard error of {}", report.scenario_name, measure::spoken_input(target.name));
   struct Curve {
     PlanChange change;
     const char* label;

@@ -11,6 +11,7 @@
 #include "plot/legend.hpp"
 #include "plot/line_labels.hpp"
 #include "plot/mapping.hpp"
+#include "plot/palette.hpp"
 #include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/ticks.hpp"
@@ -21,16 +22,27 @@ namespace {
 
 constexpr double kTop = 102, kPanelGap = 58, kBottom = 62, kTitleHeight = 20, kLineHeight = 16;  // px
 
-/// The style of a picture. Grey text and rules follow the reader's colour scheme; the line colours are legible on light and
-/// dark.
-constexpr const char* kStyle = R"(<style>
-.et{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;font-size:12px}
-.et text{fill:#374151}.et .et-h{fill:#111827;font-size:16px;font-weight:600}.et .et-b{font-weight:600;fill:#111827;font-size:13px}
-.et{color:#111827}.et .et-s{fill:#6b7280}.et .et-page,.et .et-hollow{fill:#ffffff}.et .et-hollow{stroke-width:1.4}.et .et-grid{stroke:#e5e7eb}.et .et-minor{stroke:#f3f4f6}.et .et-frame{stroke:#9ca3af}
-@media (prefers-color-scheme:dark){.et text{fill:#d1d5db}.et .et-h,.et .et-b{fill:#f9fafb}.et .et-s{fill:#9ca3af}
-.et{color:#f9fafb}.et .et-page,.et .et-hollow{fill:#111827}.et .et-grid{stroke:#374151}.et .et-minor{stroke:#1f2937}.et .et-frame{stroke:#6b7280}}
-</style>
-)";
+/// The rules of a picture's colours on one background.
+std::string ink_rules(std::string_view Ink::*side) {
+  std::string rules = fmt::format(
+      ".et text{{fill:{}}}.et .et-h,.et .et-b{{fill:{}}}.et{{color:{}}}.et .et-s{{fill:{}}}.et .et-page,.et "
+      ".et-hollow{{fill:{}}}"
+      ".et .et-grid{{stroke:{}}}.et .et-minor{{stroke:{}}}.et .et-frame{{stroke:{}}}",
+      kText.*side, kHeading.*side, kHeading.*side, kMuted.*side, kPage.*side, kGrid.*side, kMinor.*side, kMuted.*side);
+  for (const auto& [color, ink] : kCurveInks)
+    if (ink.*side != ink.light)
+      rules += fmt::format(".et [stroke=\"{0}\"]{{stroke:{1}}}.et [fill=\"{0}\"]{{fill:{1}}}", ink.light, ink.*side);
+  return rules;
+}
+
+/// The style of a picture by itself, which follows the reader's colour scheme.
+std::string picture_style() {
+  return fmt::format(
+      "<style>\n.et{{font-family:system-ui,-apple-system,'Segoe UI','Helvetica Neue',Arial,'DejaVu Sans',sans-serif;"
+      "font-size:{}px}}\n.et .et-h{{font-size:{}px;font-weight:600}}.et .et-b{{font-size:{}px;font-weight:600}}"
+      ".et .et-hollow{{stroke-width:1.4}}\n{}\n@media (prefers-color-scheme:dark){{{}}}\n</style>\n",
+      kLabelSize, kTitleSize, kCaptionSize, ink_rules(&Ink::light), ink_rules(&Ink::dark));
+}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -275,7 +287,7 @@ std::string svg(const Figure& figure, PlotWidth width) {
                  "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
                  "role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n",
                  sheet.width, height, escape_xml(figure.title), escape_xml(figure.subtitle));
-  out += kStyle;
+  out += picture_style();
   fmt::format_to(Out(out), "<rect class=\"et-page\" width=\"{}\" height=\"{}\"/>\n", sheet.width, height);
   draw_lines(out, sheet.text_left, 30, "start", " class=\"et-h\"", heading.title, kTitleHeight);
   draw_lines(out, sheet.text_left, heading.subtitle_y, "start", " class=\"et-s\"", heading.subtitle, kLineHeight);

@@ -3,22 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "plot/palette.hpp"
 #include "plot/svg_text.hpp"
 
 namespace earthtop {
 
-const char* hex(LineColor color) {
-  switch (color) {
-    case LineColor::blue: return "#0072b2";
-    case LineColor::vermillion: return "#d55e00";
-    case LineColor::green: return "#009e73";
-    case LineColor::purple: return "#cc79a7";
-    case LineColor::orange: return "#e69f00";
-    case LineColor::sky: return "#56b4e9";
-    case LineColor::grey: return "#8a8f98";
-    case LineColor::ink: return "currentColor";
-  }
-  return "#8a8f98";
+std::string_view hex(LineColor color) {
+  for (const CurveInk& curve : kCurveInks)
+    if (curve.color == color) return curve.ink.light;
+  return "currentColor";  // ink
 }
 
 const char* stroke_kind(LineStyle style) {

@@ -29,7 +29,8 @@ inline constexpr const Sheet& sheet_of(PlotWidth width) { return width == PlotWi
 
 using Out = std::back_insert_iterator<std::string>;
 
-const char* hex(LineColor color);
+/// The colour on a light background; the styles of pictures and pages put that of a dark one in its place.
+std::string_view hex(LineColor color);
 
 /// SVG attributes for a line style in addition to colour and width (dashes, opacity); empty for a solid line.
 const char* stroke_kind(LineStyle style);

@@ -9,16 +9,10 @@
 #include <string_view>
 
 #include "earthtop/elementary.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
-
-std::string superscript(int number) {
-  static constexpr std::string_view kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text;
-  for (const char c : fmt::format("{}", number)) text += c == '-' ? std::string_view("⁻") : kDigits[c - '0'];
-  return text;
-}
 
 std::string with_minus_sign(std::string number) {
   if (number.starts_with('-')) number.replace(0, 1, "−");
@@ -81,7 +75,7 @@ Ticks linear_ticks(double low, double high, int wanted, bool tight) {
   int factor = decade_of(written);
   factor = factor >= 5 || factor <= -3 ? 3 * static_cast<int>(std::floor(factor / 3.0)) : 0;
   const int decimals = std::max(0, factor - step.exponent);
-  if (factor != 0) axis.factor = "×10" + superscript(factor);
+  if (factor != 0) axis.factor = "×10" + raised(factor);
   if (base != 0) {
     const int digits = std::clamp(-step.exponent, 0, 300);
     axis.offset = (base < 0 ? "− " : "+ ") + fmt::format("{:.{}f}", std::abs(base * h), digits);
@@ -110,7 +104,7 @@ Ticks logarithmic_ticks(double low, double high, int wanted) {
   }
   for (int exponent = first; exponent <= last; ++exponent) {
     const bool labelled = exponent % stride == 0;
-    axis.ticks.push_back({real::power_of_ten(exponent), labelled ? "10" + superscript(exponent) : ""});
+    axis.ticks.push_back({real::power_of_ten(exponent), labelled ? "10" + raised(exponent) : ""});
     if (decades > 3 || exponent == last) continue;
     for (const int mantissa : {2, 5}) axis.ticks.push_back({mantissa * real::power_of_ten(exponent), ""});
   }

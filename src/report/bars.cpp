@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "earthtop/elementary.hpp"
+#include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -23,7 +25,7 @@ constexpr BarLayout kWideBars{860, 230, 790, 28, false, 9, ""}, kNarrowBars{340,
 constexpr double kBarTop = 62;
 constexpr std::size_t kLabelCharacters = 46;  // of the narrow picture
 
-std::string power(int exponent) { return fmt::format("1e{}", exponent); }
+std::string power(int exponent) { return exponent == 0 ? "1" : with_powers(fmt::format("1e{:+03}", exponent)); }
 
 std::string drawn_bars(const BarLayout& layout, const std::string& name, const std::string& title, const std::string& unit,
                        const std::vector<Bar>& bars) {
@@ -43,9 +45,9 @@ std::string drawn_bars(const BarLayout& layout, const std::string& name, const s
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\">\n"
       "<title>{2}</title>\n<defs><pattern id=\"{3}-hatch\" width=\"7\" height=\"7\" patternUnits=\"userSpaceOnUse\" "
-      "patternTransform=\"rotate(45)\"><path d=\"M0 0V7\" stroke=\"#d55e00\" stroke-width=\"3\"/></pattern></defs>\n"
+      "patternTransform=\"rotate(45)\"><path d=\"M0 0V7\" stroke=\"{5}\" stroke-width=\"3\"/></pattern></defs>\n"
       "<rect class=\"et-page\" width=\"{0}\" height=\"{1}\"/>\n<text x=\"{4}\" y=\"30\" class=\"et-h\">{2}</text>\n",
-      layout.width, height, escape_xml(title), name, layout.label_above ? layout.bars_left : 24);
+      layout.width, height, escape_xml(title), name, layout.label_above ? layout.bars_left : 24, hex(LineColor::vermillion));
   const int decades = static_cast<int>(high - low);
   const int stride = (decades + layout.most_decades - 1) / layout.most_decades;
   for (int decade = static_cast<int>(low); decade <= static_cast<int>(high); decade += stride)
@@ -57,15 +59,15 @@ std::string drawn_bars(const BarLayout& layout, const std::string& name, const s
     const Bar& bar = bars[i];
     const double row = kBarTop + layout.step * static_cast<double>(i), top = layout.label_above ? row + 16 : row;
     const double width = std::max(2.0, x(real::log10(bar.value)) - layout.bars_left);
-    const std::string fill = bar.left_out ? fmt::format("url(#{}-hatch)", name) : "#0072b2";
+    const std::string fill = bar.left_out ? fmt::format("url(#{}-hatch)", name) : std::string(hex(LineColor::blue));
     out += fmt::format(
         "<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"{}\">{}</text><rect x=\"{}\" y=\"{:.2f}\" width=\"{:.2f}\" "
         "height=\"16\" "
-        "fill=\"{}\" stroke=\"{}\"/><text x=\"{:.2f}\" y=\"{:.2f}\">{:.2g}</text>\n",
+        "fill=\"{}\" stroke=\"{}\"/><text x=\"{:.2f}\" y=\"{:.2f}\">{}</text>\n",
         layout.label_above ? layout.bars_left : layout.bars_left - 8, row + (layout.label_above ? 11 : 13),
         layout.label_above ? "start" : "end", escape_xml(layout.label_above ? shorten(bar.label, kLabelCharacters) : bar.label),
-        layout.bars_left, top, width, fill, bar.left_out ? "#d55e00" : "#0072b2", layout.bars_left + width + 6, top + 13,
-        bar.value);
+        layout.bars_left, top, width, fill, hex(bar.left_out ? LineColor::vermillion : LineColor::blue),
+        layout.bars_left + width + 6, top + 13, with_powers(fmt::format("{:.2g}", bar.value)));
   }
   return out + fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" text-anchor=\"middle\" class=\"et-b\">{}</text>\n</svg>\n",
                            (layout.bars_left + layout.bars_right) / 2, bottom + 42, escape_xml(unit));

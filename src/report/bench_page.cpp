@@ -11,6 +11,7 @@
 #include "bench/look.hpp"
 #include "report/document_values.hpp"
 #include "report/pages.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -34,9 +35,11 @@ struct Entry {
   auto family() const { return std::tie(method, equations, precision); }
   std::string text() const {
     std::string text = fmt::format("{}, {}, {}", method, equations, precision);
-    if (tolerance) text += fmt::format(", tolerance {:g}", *tolerance);
-    if (step_s) text += fmt::format(", step {:g} s", *step_s);
-    return text + fmt::format(": {:.3g} s, error {:.3g} rad{}", seconds, error, on_front ? "; on the front" : "");
+    std::string numbers;
+    if (tolerance) numbers += fmt::format(", tolerance {:g}", *tolerance);
+    if (step_s) numbers += fmt::format(", step {:g} s", *step_s);
+    numbers += fmt::format(": {:.3g} s, error {:.3g} rad", seconds, error);
+    return text + with_powers(numbers) + (on_front ? "; on the front" : "");
   }
 };
 
@@ -141,6 +144,23 @@ Figure bench_chart(const Json& scene, const std::vector<Entry>& entries) {
   return figure;
 }
 
+/// What was found of the first scenario, in a sentence: the fastest method, and the most accurate one.
+std::string finding_of(const Json& scenes) {
+  const std::vector<Entry> entries = scenes.empty() ? std::vector<Entry>() : entries_of(scenes.front());
+  if (entries.empty()) return "No method has both a time and an error.";
+  const Entry& best =
+      *std::min_element(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.error < b.error; });
+  const Entry& fastest = entries.front();
+  const auto told = [](const Entry& entry) {
+    return with_powers(fmt::format("errs by {:.2g} rad after {:.2g} s", entry.error, entry.seconds));
+  };
+  if (&best == &fastest)
+    return fmt::format("{}: {} is fastest and most accurate; it {}.", text_of(scenes.front(), "scenario"), best.method,
+                       told(best));
+  return fmt::format("{}: the most accurate method, {}, {}; the fastest, {}, {}.", text_of(scenes.front(), "scenario"),
+                     best.method, told(best), fastest.method, told(fastest));
+}
+
 std::string entries_table(const Json& scene) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& entry : scene.value("entries", Json::array()))
@@ -158,6 +178,7 @@ std::string entries_table(const Json& scene) {
 Report bench_page(const Json& document, const std::vector<std::string>& notes) {
   const Json scenes = document.value("scenarios", Json::array());
   Page page("bench", "Speed against error", notes);
+  page.finding(escaped(finding_of(scenes)));
   page.headline(fmt::format("{}; {}.", scenes.size() == 1 ? "One scenario" : fmt::format("{} scenarios", scenes.size()),
                             escaped(text_of(document, "processor"))));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -167,16 +188,17 @@ Report bench_page(const Json& document, const std::vector<std::string>& notes) {
     std::vector<Mark> marks;
     marks.reserve(entries.size());
     for (const Entry& entry : entries) marks.push_back({entry.seconds, entry.error, entry.text()});
-    page.section(fmt::format("scene{}", i), text_of(scene, "scenario"),
-                 fmt::format("<p>{}. Reference: {}; checked against {}.</p>\n", escaped(text_of(scene, "title")),
-                             escaped(text_of(reference, "source")), escaped(text_of(reference, "witness"))) +
-                     page.chart_of_marks(
-                         fmt::format("bench{}", i), bench_chart(scene, entries), marks,
-                         "Error against processor time. Marks further down or to the left are better; no mark beats those on "
-                         "the front in both. Filled marks: the reduced equations, or a method's own; hollow ones: the general "
-                         "equations, dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: "
-                         "float128.") +
-                     entries_table(scene));
+    page.section(
+        fmt::format("scene{}", i), text_of(scene, "scenario"),
+        fmt::format("<p>{}. Reference: {}; checked against {}.</p>\n", escaped(text_of(scene, "title")),
+                    with_powers(escaped(text_of(reference, "source"))), with_powers(escaped(text_of(reference, "witness")))) +
+            page.chart_of_marks(
+                fmt::format("bench{}", i), bench_chart(scene, entries), marks,
+                "Error against processor time. Marks further down or to the left are better; no mark beats those on "
+                "the front in both. Filled marks: the reduced equations, or a method's own; hollow ones: the general "
+                "equations, dashed in body axes, dash-dotted in other axes. Dotted: long double; dots far apart: "
+                "float128.") +
+            entries_table(scene));
   }
   return page.finish();
 }

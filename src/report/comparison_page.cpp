@@ -7,8 +7,10 @@
 #include "compare/conclusion.hpp"
 #include "report/document_values.hpp"
 #include "report/pages.hpp"
+#include "results/meanings.hpp"
 #include "results/time_unit.hpp"
 #include "results/unit_of_name.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -19,16 +21,40 @@ std::vector<double> numbers(const Json& list, double factor) {
   return values;
 }
 
+/// A quantity in words with its unit, and its name on demand.
+std::string quantity_html(const std::string& name) {
+  const std::string unit = unit_in_signs(unit_of_name(name)), words = compare::in_words(name);
+  return fmt::format("<span title=\"{}\">{}</span>", escaped(name),
+                     escaped(unit.empty() ? words : fmt::format("{} ({})", words, unit)));
+}
+
+/// What was found, in a sentence.
+std::string finding_of(const Json& document, const Json& pairs, const std::string& verdict) {
+  const std::string both = text_of(document, "new") + " and " + text_of(document, "reference");
+  if (verdict == "same") return both + " are the same to within their tolerances.";
+  if (pairs.size() != 1) {
+    const auto differ =
+        std::count_if(pairs.begin(), pairs.end(), [](const Json& pair) { return text_of(pair, "verdict") != "same"; });
+    return fmt::format("{} of {} results in {} differ.", differ, pairs.size(), both);
+  }
+  const Json quantities = pairs.front().value("quantities", Json::array());
+  const auto failed =
+      std::count_if(quantities.begin(), quantities.end(), [](const Json& q) { return !q.value("passed", false); });
+  if (failed == 0) return both + " differ.";
+  return fmt::format("{} differ: {} of {} quantities by more than their tolerances.", both, failed, quantities.size());
+}
+
 /// A table of the quantities that failed, or of all.
 std::string quantities_table(const Json& pair, bool everything) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& quantity : pair.value("quantities", Json::array())) {
     if (!everything && quantity.value("passed", false)) continue;
-    rows.push_back({quantity.value("passed", false) ? "ok" : "<strong>FAILED</strong>", escaped(text_of(quantity, "name")),
-                    number_of(quantity, "largest_difference"), escaped(text_of(quantity, "where")),
-                    number_of(quantity, "tolerance"), escaped(text_of(quantity, "tolerance_origin")),
-                    number_of(quantity, "share_used", 2), escaped(text_of(quantity, "first_violation")),
-                    escaped(text_of(quantity, "change")), escaped(text_of(quantity, "reason"))});
+    rows.push_back({quantity.value("passed", false) ? "ok" : "<strong>FAILED</strong>",
+                    quantity_html(text_of(quantity, "name")), number_of(quantity, "largest_difference"),
+                    escaped(text_of(quantity, "where")), number_of(quantity, "tolerance"),
+                    escaped(text_of(quantity, "tolerance_origin")), number_of(quantity, "share_used", 2),
+                    escaped(text_of(quantity, "first_violation")), escaped(text_of(quantity, "change")),
+                    escaped(text_of(quantity, "reason"))});
   }
   if (rows.empty()) return "";
   return table_html(
@@ -67,8 +93,8 @@ std::string pair_charts(const Json& pair, std::size_t number, Page& page) {
     const std::string name = text_of(*quantity, "name");
     const std::string words = compare::in_words(name);
     const bool passed = quantity->value("passed", false);
-    Figure figure{words, name + (passed ? ", within its tolerance" : ", beyond its tolerance"), {"Time", unit.name}, {}};
-    figure.panels.push_back({{"Difference", std::string(unit_of_name(name)), AxisScale::logarithmic},
+    Figure figure{words, passed ? "within its tolerance" : "beyond its tolerance", {"Time", unit.name}, {}};
+    figure.panels.push_back({{"Difference", unit_in_signs(unit_of_name(name)), AxisScale::logarithmic},
                              {{"tolerance", t, numbers(curve.at("tolerance"), 1), LineColor::vermillion, LineStyle::filled},
                               {"difference", t, numbers(curve.at("difference"), 1)}},
                              130});
@@ -120,7 +146,8 @@ Report comparison_page(const Json& document, const std::vector<std::string>& not
   std::string conclusion;
   for (const Json& sentence : document.value("conclusion", Json::array()))
     if (sentence.is_string()) conclusion += (conclusion.empty() ? "" : " ") + escaped(sentence.get<std::string>());
-  page.headline(std::move(conclusion));
+  page.finding(escaped(finding_of(document, pairs, verdict)));
+  page.headline(with_powers(conclusion));
   page.verdict(verdict, fmt::format("<strong>{}</strong>: {} against {}, profile {}.", escaped(verdict),
                                     escaped(text_of(document, "new")), escaped(text_of(document, "reference")),
                                     escaped(text_of(document, "profile"))));

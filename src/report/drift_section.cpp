@@ -132,7 +132,7 @@ std::string bound_section(const Run& run, Page& page) {
 std::string why_html(const Run& run) {
   std::string html;
   for (std::size_t i = 0; i < run.results.summary->value("why", Json::array()).size(); ++i)
-    html += "<li>" + powers_html(escaped(run.word(fmt::format("/why/{}/text", i)))) + "</li>\n";
+    html += "<li>" + with_powers(escaped(run.word(fmt::format("/why/{}/text", i)))) + "</li>\n";
   return html.empty() ? html : "<ol class=\"why\">\n" + html + "</ol>\n";
 }
 

@@ -11,6 +11,11 @@ namespace earthtop::report {
 /// The name of an input in an entry of a document; with its release where there are several and it is not that of all.
 std::string input_name(const Json& entry, const char* key = "name");
 
+/// The same in words.
+std::string input_words(const Json& entry, const char* key = "name");
+/// The same with its name on demand; HTML.
+std::string input_html(const Json& entry, const char* key = "name");
+
 /// A table of the inputs that were taken as exact for an estimate of a document. Empty without any.
 std::string exact_inputs_html(const Json& estimate);
 

@@ -54,7 +54,7 @@ std::string duration_html(double t_s) {
     if (count == 1) return element(fmt::format("{} {}", span.name[0] == 'h' ? "an" : "a", span.name));
     return element(fmt::format("{:.0f}", count)) + fmt::format(" {}s", span.name);
   }
-  return t_s == 1 ? element("a second") : element(powers_html(fmt::format("{:.4g}", t_s))) + " s";
+  return t_s == 1 ? element("a second") : element(with_powers(fmt::format("{:.4g}", t_s))) + " s";
 }
 
 /// The angle that the title tells: of the axis, or, of a pendulum, of its plane of swing, or, where the axis stays, about it.
@@ -74,7 +74,7 @@ ToldAngle told_angle(const Run& run, const LastDrift& drift) {
 
 std::string short_html(double si, double error_si, double per_si) {
   const double error = std::isfinite(error_si) ? error_si : 0;
-  return fmt::format("<data value=\"{}\">{}</data>", si, powers_html(short_number(si * per_si, error * per_si)));
+  return fmt::format("<data value=\"{}\">{}</data>", si, with_powers(short_number(si * per_si, error * per_si)));
 }
 
 /// "235.2 arcseconds".

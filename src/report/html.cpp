@@ -11,6 +11,8 @@
 #include "plot/svg_text.hpp"
 #include "report/assets.hpp"
 #include "report/content_policy.hpp"
+#include "results/meanings.hpp"
+#include "text/number_words.hpp"
 #include "text/utf8.hpp"
 
 namespace earthtop::report {
@@ -24,7 +26,7 @@ Json short_number(double value) {
   return Json::parse(fmt::format("{:.7g}", value));
 }
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.7g}", value) : ""; }
+std::string cell(double value) { return number_html(value, "", 7); }
 
 std::string name_with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
@@ -164,7 +166,9 @@ std::string table_html(const std::vector<std::string>& header, const std::vector
 
 std::string number_html(double value, std::string_view unit, int digits) {
   if (!std::isfinite(value)) return "";
-  return fmt::format("<data value=\"{}\">{:.{}g}</data>{}{}", value, value, digits, unit.empty() ? "" : " ", escaped(unit));
+  const std::string sign = unit_in_signs(unit);
+  return fmt::format("<data value=\"{}\">{}</data>{}{}", value, with_powers(fmt::format("{:.{}g}", value, digits)),
+                     sign.empty() || sign == "°" ? "" : " ", escaped(sign));
 }
 
 std::string number_html(const Json& value, std::string_view unit, int digits) {
@@ -226,8 +230,8 @@ std::string Page::drawn(const std::string& name, Figure figure, std::string_view
   Drawings drawings{svg(figure), {}};
   figure.id += "-narrow";
   drawings.narrow = svg(figure, PlotWidth::narrow);
-  std::string html = fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n",
-                                 name, drawings_html(drawings), escaped(caption), table);
+  std::string html = fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}{}{}</figure>\n", name, drawings_html(drawings),
+                                 caption.empty() ? "" : "<figcaption>" + escaped(caption) + "</figcaption>\n", table);
   pictures_.emplace_back(name, std::move(drawings.wide));
   return html;
 }
@@ -261,11 +265,11 @@ Report Page::finish() {
   if (!folded_.empty())
     sections_ = folded_ + "<nav aria-label=\"Parts\"><ul>" + folded_navigation_ + "</ul></nav>\n" + sections_ + "</details>\n";
   const std::string body = fmt::format(
-      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n{}\n<p "
-      "class=\"headline\">{}</p>\n{}{}</header>\n"
+      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n{}\n{}{}{}</header>\n"
       "<nav aria-label=\"Sections\"><ul>{}</ul></nav>\n<main id=\"main\">\n{}</main>\n<footer><p>earthtop {}, "
       "{}</p></footer>\n",
-      heading, headline_, verdict_, notes, navigation_, sections_, escaped(build.version), escaped(build.commit));
+      heading, headline_.empty() ? "" : "<p class=\"headline\">" + headline_ + "</p>\n", verdict_, notes, navigation_,
+      sections_, escaped(build.version), escaped(build.commit));
   const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", page_script());
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "

@@ -26,9 +26,9 @@ std::string facts_html(const Facts& facts);
 /// A table in a box that scrolls by itself where the page is narrow. The cells are HTML; the header's cells are text.
 std::string table_html(const std::vector<std::string>& header, const std::vector<std::vector<std::string>>& rows);
 
-/// A number with its unit, e.g. "1.14023e-03 rad", with a machine-readable value that is exact to the last bit; empty where
+/// A number with its unit, e.g. "1.14 × 10⁻³ rad", with a machine-readable value that is exact to the last bit; empty where
 /// it is not finite.
-std::string number_html(double value, std::string_view unit, int digits = 7);
+std::string number_html(double value, std::string_view unit, int digits = 4);
 /// The same of a document's value; empty where that is no number.
 std::string number_html(const Json& value, std::string_view unit, int digits);
 

@@ -11,29 +11,10 @@ namespace earthtop::report {
 namespace {
 
 std::string data_html(double exact, const std::string& shown) {
-  return fmt::format("<data value=\"{}\">{}</data>", exact, powers_html(shown));
+  return fmt::format("<data value=\"{}\">{}</data>", exact, with_powers(shown));
 }
 
 }  // namespace
-
-std::string powers_html(std::string_view text) {
-  const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
-  std::string html;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool exponent = i > 0 && is_digit(i - 1) && text[i] == 'e' && i + 1 < text.size() &&
-                          (text[i + 1] == '-' || text[i + 1] == '+') && is_digit(i + 2);
-    if (!exponent) {
-      html += text[i];
-      continue;
-    }
-    html += text[i + 1] == '-' ? "×10<sup>−" : "×10<sup>";
-    for (i += 2; text[i] == '0' && is_digit(i + 1);) ++i;
-    for (; is_digit(i); ++i) html += text[i];
-    html += "</sup>";
-    --i;
-  }
-  return html;
-}
 
 std::string known_html(double si, double error_si, const ReadableUnit& unit, bool strong) {
   const bool known = std::isfinite(error_si) && std::isfinite(si);

@@ -9,8 +9,7 @@
 
 namespace earthtop::report {
 
-/// Escaped text, in which 6.0e-09 becomes 6.0 times a power of ten.
-std::string powers_html(std::string_view text);
+/// Escaped text with its powers of ten as a reader writes them.
 
 /// "235.189″ ± 0.012″": the number to the second digit of its error. The element's machine-readable value stays in SI units and is
 /// exact to the last bit. Without an error that is known, the number alone.

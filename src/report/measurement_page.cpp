@@ -3,14 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "measure/document.hpp"
 #include "report/exact_inputs_html.hpp"
 #include "report/pages.hpp"
+#include "results/meanings.hpp"
 #include "results/time_unit.hpp"
 #include "text/json.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::report {
 namespace {
@@ -18,6 +21,11 @@ namespace {
 std::string words_of(const Json& json, const char* key) {
   const Json value = json.value(key, Json());
   return value.is_string() ? value.get<std::string>() : "";
+}
+
+/// A file's name, with its path on demand.
+std::string file_html(const std::string& file) {
+  return fmt::format("<span title=\"{}\">{}</span>", escaped(file), escaped(file.substr(file.find_last_of('/') + 1)));
 }
 
 std::string chi_squared_html(const Json& chi_squared) {
@@ -33,8 +41,21 @@ std::string chi_squared_html(const Json& chi_squared) {
 std::vector<std::string> sentences(const Json& document) {
   std::vector<std::string> list;
   for (const Json& estimate : document.at("estimates"))
-    if (const std::string sentence = words_of(estimate, "sentence"); !sentence.empty()) list.push_back(escaped(sentence));
+    if (const std::string sentence = words_of(estimate, "sentence"); !sentence.empty())
+      list.push_back(escaped(with_powers(sentence)));
   return list;
+}
+
+/// What was found, in a sentence: the first estimate with its error; without a fit, whether the data agree.
+std::string finding_of(const Json& document, const std::string& otherwise) {
+  for (const Json& estimate : document.at("estimates")) {
+    std::string sentence = words_of(estimate, "sentence");
+    if (sentence.empty()) continue;
+    sentence = with_powers(sentence.substr(0, sentence.find_first_of(":;")));
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    return sentence + ".";
+  }
+  return otherwise;
 }
 
 std::string list_html(const std::vector<std::string>& items) {
@@ -48,13 +69,22 @@ std::string wide_table(const std::vector<std::string>& header, const std::vector
   return table_html(header, rows);
 }
 
+/// An estimate to the second digit of its error.
+std::string estimate_html(const Json& estimate) {
+  const std::string unit = estimate.at("unit").get<std::string>();
+  const Json &value = estimate.at("estimate"), &error = estimate.at("standard_error");
+  if (!value.is_number() || !error.is_number()) return number_html(value, unit, 7);
+  const std::string shown = known_number(value.get<double>(), error.get<double>()).value;
+  return fmt::format("<data value=\"{0}\">{1}</data> {2}", value.get<double>(), with_powers(shown),
+                     escaped(unit_in_signs(unit)));
+}
+
 std::string estimates_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& estimate : document.at("estimates")) {
     const std::string unit = estimate.at("unit").get<std::string>();
-    rows.push_back({escaped(input_name(estimate)), number_html(estimate.at("estimate"), unit, 9),
-                    number_html(estimate.at("standard_error"), unit, 2),
-                    number_html(estimate.at("standard_error_scaled"), unit, 2), number_html(estimate.at("start"), unit, 9)});
+    rows.push_back({input_html(estimate), estimate_html(estimate), number_html(estimate.at("standard_error"), unit, 2),
+                    number_html(estimate.at("standard_error_scaled"), unit, 2), number_html(estimate.at("start"), unit)});
   }
   return wide_table({"input", "estimate", "standard error", "standard error from the scatter, if larger", "scenario's value"},
                     rows);
@@ -67,9 +97,9 @@ std::string correlation_html(const Json& document) {
   std::vector<std::string> header = {""};
   std::vector<std::vector<std::string>> rows;
   for (std::size_t j = 0; j < correlation.size(); ++j) {
-    const std::string name = input_name(document.at("estimates").at(j));
-    header.push_back(name);
-    std::vector<std::string> row = {"<strong>" + escaped(name) + "</strong>"};
+    const Json& estimate = document.at("estimates").at(j);
+    header.push_back(input_words(estimate));
+    std::vector<std::string> row = {"<strong>" + input_html(estimate) + "</strong>"};
     for (const Json& value : correlation.at(j)) row.push_back(number_html(value, "", 3));
     rows.push_back(std::move(row));
   }
@@ -94,12 +124,12 @@ std::string priors_html(const Json& document) {
   std::vector<std::vector<std::string>> rows;
   for (const Json& prior : document.value("priors", Json::array())) {
     const std::string unit = words_of(prior, "unit");
-    rows.push_back({escaped(input_name(prior, "input")), number_html(prior.at("mean"), unit, 9),
+    rows.push_back({input_html(prior, "input"), number_html(prior.at("mean"), unit, 9),
                     number_html(prior.at("standard_error"), unit, 3), number_html(prior.at("pull"), "", 3)});
   }
   std::vector<std::string> unused;
   for (const Json& prior : document.value("unused_priors", Json::array()))
-    unused.push_back(escaped(words_of(prior, "name") + " was not used: " + words_of(prior, "reason")));
+    unused.push_back(input_html(prior) + " was not used: " + escaped(words_of(prior, "reason")));
   if (rows.empty() && unused.empty()) return "";
   return "<h3>Known beforehand</h3>\n" +
          (rows.empty()
@@ -188,8 +218,10 @@ Report measurement_page(const Json& document, const std::vector<std::string>& no
   const bool agrees = document.at("agrees").get<bool>();
   const std::string scenario = document.at("scenario").at("name").get<std::string>();
   Page page("measurement", "Measurement of " + scenario, notes);
+  page.finding(escaped(finding_of(
+      document, fmt::format("The measured rows {} with the scenario {}.", agrees ? "agree" : "do not agree", scenario))));
   page.headline(fmt::format("{} rows of {} compared with the scenario {}: they <strong>{}</strong>.",
-                            count_in(document.at("rows")), escaped(document.at("file").get<std::string>()), escaped(scenario),
+                            count_in(document.at("rows")), file_html(document.at("file").get<std::string>()), escaped(scenario),
                             agrees ? "agree" : "do not agree"));
   add_verdict(page, agrees);
   add_estimates(page, document);
@@ -202,6 +234,7 @@ Report releases_page(const Json& document, const std::vector<std::string>& notes
   const bool agrees = document.at("agrees").get<bool>();
   const Json& releases = document.at("releases");
   Page page("measurement", fmt::format("{} releases, one fit", releases.size()), notes);
+  page.finding(escaped(finding_of(document, "")));
   page.headline(fmt::format("{} releases compared with their scenarios by one fit: they <strong>{}</strong>.", releases.size(),
                             agrees ? "agree" : "do not agree"));
   add_verdict(page, agrees);
@@ -214,7 +247,7 @@ Report releases_page(const Json& document, const std::vector<std::string>& notes
     const Json& last = both.at("fitted").is_object() ? both.at("fitted") : both.at("as_given");
     facts.emplace_back(
         fmt::format("release {}", r + 1),
-        fmt::format("{} against {}: {} rows; prediction {}; chi-squared {} of {} values", escaped(words_of(release, "file")),
+        fmt::format("{} against {}: {} rows; prediction {}; chi-squared {} of {} values", file_html(words_of(release, "file")),
                     escaped(words_of(release.at("scenario"), "name")), count_in(release.at("rows")), prediction_html(release),
                     number_html(last.at("value").get<double>(), "", 6), release.at("residuals").size()));
     for (const Json& note : release.at("notes"))

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "report/study_cells.hpp"
+#include "report/study_words.hpp"
 #include "study/design.hpp"
 
 namespace earthtop::report {
@@ -123,7 +124,7 @@ void add_cells(study::Store& store, Json& data, const Watch& watch) {
 
 }  // namespace
 
-void add_points(study::Store& store, Page& page, const Watch& watch) {
+void add_points(study::Store& store, Page& page, const Json& document, const Watch& watch) {
   const Study& study = store.study();
   Json& data = page.data();
   data["base"] = study.base.text;
@@ -137,6 +138,11 @@ void add_points(study::Store& store, Page& page, const Watch& watch) {
   }
   data["quantities"] = Json::array();
   for (const StudyQuantity& quantity : study.quantities) data["quantities"].push_back(quantity.name);
+  Json& words = data["words"] = {{"axes", Json::array()}, {"quantities", Json::array()}};
+  for (const StudyColumn& setting : settings_of(document))
+    words["axes"].push_back({{"words", setting.words}, {"unit", setting.unit}});
+  for (const StudyColumn& quantity : quantities_of(document))
+    words["quantities"].push_back({{"words", quantity.words}, {"unit", quantity.unit}, {"factor", quantity.factor}});
   if (store.count() <= kMostSinglePoints)
     add_single_points(store, data, watch);
   else

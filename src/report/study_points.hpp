@@ -12,6 +12,7 @@ inline constexpr std::uint64_t kMostSinglePoints = 1000;
 
 /// Adds to the page's data the base scenario, the axes, the quantities, and the points: at most kMostSinglePoints by
 /// themselves, more of them as cells, each with the number of its points, their mean, and one of them as an example.
-void add_points(study::Store& store, Page& page, const Watch& watch);
+/// @param document  of the study, which says how settings and quantities are called
+void add_points(study::Store& store, Page& page, const Json& document, const Watch& watch);
 
 }  // namespace earthtop::report

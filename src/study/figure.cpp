@@ -10,10 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "results/meanings.hpp"
 #include "results/unit_of_name.hpp"
 #include "study/design.hpp"
 #include "study/json_text.hpp"
 #include "text/json.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop::study {
 namespace {
@@ -35,6 +37,20 @@ std::size_t numbers_of(const std::string& axis, const Json& points) {
 std::string shown(const StudyAxis& axis, const Json& value) {
   if (value.is_number()) return plain_text(meant_value(axis, value.get<double>()));
   return value.is_string() ? value.get<std::string>() : written(value);
+}
+
+/// Keys that vary together have the name that the study gives them, and no unit.
+QuantityWords words_of(const StudyAxis& axis) {
+  QuantityWords words = words_of_setting(axis.name, axis.pointers.front());
+  if (axis.pointers.size() > 1) words.unit = unit_of_name(axis.name);
+  return words;
+}
+
+/// "latitude 30°"
+std::string other_label(const StudyAxis& axis, const Json& value) {
+  const QuantityWords words = words_of(axis);
+  const std::string unit = value.is_number() ? unit_in_signs(words.unit) : "";
+  return fmt::format("{} {}{}{}", words.words, with_powers(shown(axis, value)), unit.empty() || unit == "°" ? "" : " ", unit);
 }
 
 /// Logarithmic if all numbers are positive and the largest exceeds a hundred times the smallest, else linear.
@@ -65,9 +81,10 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
   const StudyAxis* other = study.axes.size() == 2 ? &study.axes[1 - across] : nullptr;
   if (other && other->size() > kMostLines) return std::nullopt;
 
+  const QuantityWords x_words = words_of(x);
   Figure figure{study.title.empty() ? study.name : study.title,
-                study.finding,
-                {x.name, std::string(unit_of_name(x.name)),
+                with_powers(study.finding),
+                {x_words.words, unit_in_signs(x_words.unit),
                  x.range && x.range->logarithmic && x.range->from.front() > 0 ? AxisScale::logarithmic : AxisScale::linear},
                 {}};
   for (const StudyQuantity& quantity : study.quantities) {
@@ -77,7 +94,7 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
     std::vector<Line> lines;
     std::map<std::string, std::size_t> line_of;
     for (const Json& point : points) {
-      const std::string label = other ? fmt::format("{} {}", other->name, shown(*other, point.at(other->name))) : "";
+      const std::string label = other ? other_label(*other, point.at(other->name)) : "";
       const auto [at, is_new] = line_of.try_emplace(label, lines.size());
       if (is_new)
         lines.push_back({label,
@@ -94,8 +111,9 @@ std::optional<Figure> study_figure(const Study& study, const Json& document) {
     const bool any = std::any_of(lines.begin(), lines.end(), [](const Line& line) {
       return std::any_of(line.y.begin(), line.y.end(), [](double y) { return std::isfinite(y); });
     });
-    if (any)
-      figure.panels.push_back({{quantity.name, std::string(unit_of_name(quantity.name)), scale_of(lines)}, std::move(lines)});
+    if (!any) continue;
+    const QuantityWords words = words_of_quantity(quantity.name, quantity.path);
+    figure.panels.push_back({{words.words, unit_in_signs(words.unit), scale_of(lines)}, std::move(lines)});
   }
   if (figure.panels.empty()) return std::nullopt;
   return figure;

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -136,6 +137,39 @@ KnownNumber known_number(double value, double error, int digits) {
   if (text.front() == '-' && text.find_first_of("123456789") == text.npos) text.erase(0, 1);  // 0, to within its error
   return {std::move(text),
           -last > kPlain ? fmt::format("{:.{}e}", error, kErrorDigits - 1) : fmt::format("{:.{}f}", error, std::max(0, -last))};
+}
+
+std::string raised(int exponent) {
+  constexpr std::string_view kRaised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : fmt::format("{}", exponent)) text += c == '-' ? std::string_view("⁻") : kRaised[c - '0'];
+  return text;
+}
+
+std::string with_powers(std::string_view text) {
+  const auto is_digit = [&](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  const auto is_of_word = [&](std::size_t i) {
+    return is_digit(i) || text[i] == '.' || text[i] == '_' || std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+  };
+  std::string written;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_exponent = i > 0 && is_digit(i - 1) && text[i] == 'e' && i + 1 < text.size() &&
+                             (text[i + 1] == '-' || text[i + 1] == '+') && is_digit(i + 2);
+    if (!is_exponent) {
+      written += text[i];
+      continue;
+    }
+    const bool is_power_alone = text[i - 1] == '1' && (i == 1 || !is_of_word(i - 2));
+    if (is_power_alone) written.pop_back();
+    written += is_power_alone ? "10" : " × 10";
+    const int sign = text[i + 1] == '-' ? -1 : 1;
+    int exponent = 0;
+    constexpr int kMost = 10'000;  // more digits than any number has
+    for (i += 2; is_digit(i); ++i) exponent = std::min(kMost, 10 * exponent + (text[i] - '0'));
+    written += raised(sign * exponent);
+    --i;
+  }
+  return written;
 }
 
 }  // namespace earthtop

@@ -46,6 +46,12 @@ double rounding_of_step(double from, double to, bool logarithmic, double value);
 /// A time as a reader would write it, without the rounding of its last digits: "32.3 s".
 std::string time_text(double t_s);
 
+/// An exponent in raised digits: "⁻⁷".
+std::string raised(int exponent);
+/// A text in which powers of ten are written as a reader writes them: "5.5e-07" becomes "5.5 × 10⁻⁷", and "1e-07" alone "10⁻⁷". For what
+/// is looked at, not for what is copied.
+std::string with_powers(std::string_view text);
+
 /// A number that is known to within an error: to the second digit of that error, as far as a double goes.
 struct KnownNumber {
   std::string value, error;  ///< in the same unit

@@ -3,6 +3,7 @@
 
 import argparse
 import pathlib
+import re
 import sys
 import tempfile
 import time
@@ -14,6 +15,32 @@ from shipped_pages import Program
 
 SKIPPED = 77  # SKIP_RETURN_CODE of ctest
 SENTINEL = "window.hacked"  # set by a script that should not have run
+
+
+RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹"
+
+
+def with_powers(text: str) -> str:
+    """A number as a page writes it: "5.5e-07" is 5.5 × 10⁻⁷, "1e-07" 10⁻⁷."""
+    mantissa, e, exponent = text.partition("e")
+    if not e:
+        return text
+    power = "10" + "".join("⁻" if c == "-" else RAISED[int(c)] for c in str(int(exponent)))
+    return power if mantissa == "1" else f"{mantissa} × {power}"
+
+
+def powers_in(text: str) -> str:
+    """A text in which all numbers are written so."""
+    return re.sub(r"(?<![\w.])\d+(?:\.\d+)?e[-+]\d+", lambda found: with_powers(found[0]), text)
+
+
+def number(text: str) -> float:
+    """The number that a page writes so."""
+    mantissa, times, power = text.replace("−", "-").rpartition(" × ")
+    if not (power.startswith("10") and power[2:].strip("⁻" + RAISED) == "" and power[2:]):
+        return float(power)
+    exponent = int("".join("-" if c == "⁻" else str(RAISED.index(c)) for c in power[2:]))
+    return (float(mantissa) if times else 1.0) * 10.0 ** exponent
 
 
 class Checks:

@@ -33,10 +33,10 @@ def compared(program: Program, checks_: checks.Checks, page: devtools.Page, new:
     said = " ".join(text.split()).split(" rows) ", 1)[1]  # the terminal's lines may end within a sentence
     checks_.expect(said.startswith(conclusion), f"{new}: the terminal says {said[:400]}, the document {conclusion}")
     headline = page.evaluate("document.querySelector('.headline').textContent")
-    checks_.expect(headline == conclusion, f"{new}: the page says {headline}")
+    checks_.expect(headline == checks.powers_in(conclusion), f"{new}: the page says {headline}")
     quantities = document["pairs"][0]["quantities"]
     failed = [quantity for quantity in quantities if not quantity["passed"]]
-    visible = page.evaluate("[...document.querySelectorAll('tbody tr')].filter(e => e.checkVisibility()).map(e => e.cells[1].textContent)")
+    visible = page.evaluate("[...document.querySelectorAll('tbody tr')].filter(e => e.checkVisibility()).map(e => e.cells[1].firstElementChild?.title)")
     checks_.expect(visible == [quantity["name"] for quantity in failed], f"{new}: the page lists {visible[:5]} ... before it is asked")
     checks_.expect(sum("FAILED" in line for line in lines) >= len(failed) and not any(line.startswith("  ok") for line in lines),
                    f"{new}: the terminal lists what passed, too")
@@ -45,7 +45,7 @@ def compared(program: Program, checks_: checks.Checks, page: devtools.Page, new:
     page.evaluate("[...document.querySelectorAll('details')].forEach(e => { e.open = true; })")
     page.frames(2)
     table = page.evaluate("""[...document.querySelectorAll('details tr')].filter(e => e.cells.length === 10)
-        .map(e => [e.cells[1].textContent, e.querySelector('data')?.value])""")
+        .map(e => [e.cells[1].firstElementChild?.title, e.querySelector('data')?.value])""")
     shown = {name: float(value) for name, value in table if value}
     for quantity in quantities:
         checks_.expect(shown.get(quantity["name"]) == quantity["largest_difference"],
@@ -102,8 +102,9 @@ def bench(program: Program, checks_: checks.Checks, page: devtools.Page) -> None
     for (seconds, error, text), entry in zip(marks, entries):
         wanted = max(entry["error"][f"{scene['compared_error']}_rad"], floor)
         checks_.expect(seconds == entry["seconds"] and error == wanted, f"a mark at {seconds, error}, in the document {entry['seconds'], wanted}")
-        said = [entry["method"], f"{seconds:.3g} s", f"error {error:.3g} rad"]
-        said += [f"tolerance {entry['relative_tolerance']:g}"] if entry["relative_tolerance"] else []
+        said = [entry["method"], f"{checks.with_powers(f'{seconds:.3g}')} s", f"error {checks.with_powers(f'{error:.3g}')} rad"]
+        tolerance = entry["relative_tolerance"]
+        said += [f"tolerance {checks.with_powers(f'{tolerance:g}')}"] if tolerance else []
         checks_.expect(all(words in text for words in said), f"{text!r} does not say {said}")
     for width, touch in ((1280, False), (390, True)):
         page.resize(width)
@@ -154,6 +155,20 @@ def bench(program: Program, checks_: checks.Checks, page: devtools.Page) -> None
     checks_.silent(page, file, "hostile bench")
 
 
+def planned(program: Program, checks_: checks.Checks, page: devtools.Page) -> None:
+    """The heading of a plan has the document's standard error and its share of the value."""
+    text = program.run("plan", SCENARIOS / "free-gyro.json", "--measure", "azimuth_deg", "--sigma", "0.05", "--every", "1", "--json")
+    first = json.loads(text)["estimates"][0]
+    page.open(program.document_report("plan-page", "plan", text).page.as_uri())
+    heading = page.evaluate("document.querySelector('h1').textContent")
+    share = 100 * first["standard_error"] / first["value"]
+    wanted = (f"This measurement would tell the Earth's rate times sin(latitude) to ±{checks.with_powers(format(first['standard_error'], '.2g'))} "
+              f"rad/s, {checks.with_powers(format(share, '.2g'))} % of its value.")
+    checks_.expect(heading == wanted, f"the plan's heading is {heading!r}, not {wanted!r}")
+    shown = page.evaluate("document.querySelector('header').innerText")
+    checks_.expect("omega_sin" not in shown, f"a name in place of words: {shown[:300]}")
+
+
 def test(browser: devtools.Browser, program: Program, checks_: checks.Checks) -> None:
     toy_top = json.loads((SCENARIOS / "toy-top.json").read_text())
     for name, changed in (("toy-top", toy_top), ("elsewhere", {**toy_top, "site": {**toy_top["site"], "latitude_deg": 46}}),
@@ -163,6 +178,7 @@ def test(browser: devtools.Browser, program: Program, checks_: checks.Checks) ->
     for new in ("toy-top", "elsewhere", "hostile"):
         compared(program, checks_, page, new)
     bench(program, checks_, page)
+    planned(program, checks_, page)
     page.close()
 
 

@@ -15,6 +15,7 @@ import tempfile
 import time
 
 import firefox
+import layout
 import play_test
 from browser_process import Failure
 from checks import SKIPPED, Checks
@@ -43,6 +44,8 @@ def examine(page: firefox.Page, report: Report, checks: Checks, out: pathlib.Pat
         checks.fits(page, when)
         colours = page.evaluate(PAINTED)
         checks.expect(all(count > 10 for count in colours), f"{when}: canvases with {colours} colours")
+        for fault in layout.contrast_faults(page, dark=False):
+            checks.expect(False, f"{when}: {fault}")
         paths = page.evaluate(PATHS)
         checks.expect(bool(paths or colours) or report.name == SAME, f"{when}: nothing is drawn")
         checks.expect(not any("NaN" in path or "Infinity" in path for path in paths), f"{when}: a curve without numbers")

@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Iterator
 
 import devtools
+from browser_process import Tab
 
 PHONE_PX = 390
 TABLET_PX = 820
@@ -43,8 +44,81 @@ TEXTS = """(() => {
 })()"""
 
 
+# Contrast by WCAG 2 of each visible text against what lies behind it, of each curve of a chart and of each colour of the canvases against
+# the page. Broad curves are let through, which lie behind others and are seen by their width, and so is what is disabled.
+CONTRASTS = """(() => {
+    const pen = Object.assign(document.createElement('canvas'), { width: 1, height: 1 }).getContext('2d', { willReadFrequently: true });
+    const rgba = colour => {
+        pen.clearRect(0, 0, 1, 1);
+        pen.fillStyle = colour;
+        pen.fillRect(0, 0, 1, 1);
+        return [...pen.getImageData(0, 0, 1, 1).data];
+    };
+    const luminance = colour => rgba(colour).slice(0, 3).map(c => c / 255)
+        .map(c => c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)
+        .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+    const contrast = (a, b) => {
+        const [x, y] = [luminance(a), luminance(b)].sort((p, q) => q - p);
+        return (x + 0.05) / (y + 0.05);
+    };
+    const behind = e => {
+        for (; e; e = e.parentElement) {
+            const colour = getComputedStyle(e).backgroundColor;
+            if (rgba(colour)[3] === 255) return colour;
+        }
+        return '#ffffff';
+    };
+    const faults = [], page = behind(document.body);
+    let count = 0;
+    const look = (what, least, ratio) => {
+        ++count;
+        if (ratio < least - 0.005) faults.push(`${what}: ${ratio.toFixed(2)}`);
+    };
+    for (const e of document.querySelectorAll('body *')) {
+        if (!e.checkVisibility() || e.closest('svg, script, option, :disabled')) continue;
+        const words = [...e.childNodes].filter(n => n.nodeType === 3).map(n => n.data.trim()).join('');
+        if (words) look(words.slice(0, 40), TEXT, contrast(getComputedStyle(e).color, behind(e)));
+    }
+    for (const svg of document.querySelectorAll('svg.et')) {
+        if (!svg.checkVisibility()) continue;
+        for (const text of svg.querySelectorAll('text')) look(text.textContent, TEXT, contrast(getComputedStyle(text).fill, page));
+        for (const line of svg.querySelectorAll('g[clip-path] [stroke]:not([stroke-opacity])'))
+            look(`a curve ${line.getAttribute('stroke')}`, CURVE, contrast(getComputedStyle(line).stroke, page));
+    }
+    const root = getComputedStyle(document.documentElement);
+    for (const name of ['axis', 'ref', 'gravity', 'coriolis', 'transverse', 'centrifugal', 'fit', 'precession'])
+        look(`--${name}`, CURVE, contrast(root.getPropertyValue(`--${name}`).trim(), page));
+    return [count, [...new Set(faults)]];
+})()"""
+LEAST_CONTRAST = 4.5
+LEAST_OF_CURVES_IN_LIGHT = 2.2  # Okabe and Ito's orange; no curves differ by their colour alone
+
+
+def contrast_faults(page: Tab, dark: bool) -> Iterator[str]:
+    curves = LEAST_CONTRAST if dark else LEAST_OF_CURVES_IN_LIGHT
+    count, faults = page.evaluate(CONTRASTS.replace("TEXT", str(LEAST_CONTRAST)).replace("CURVE", str(curves)))
+    when = "in the dark" if dark else "in the light"
+    if count < 10:
+        yield f"only {count} texts and lines {when}"
+    if faults:
+        yield f"{len(faults)} contrasts {when} are too low: {faults[:6]}"
+
+
+def desk_faults(page: devtools.Page) -> Iterator[str]:
+    """Contrast on both backgrounds, and labels, at the width of a desk. Leaves the page in the light."""
+    page.resize(devtools.WIDTH)
+    for dark in (True, False):
+        page.emulate(dark=dark)
+        page.frames(2)
+        yield from contrast_faults(page, dark)
+    _, faults = page.evaluate(TEXTS.replace("SMALLEST", str(SMALLEST_TEXT_PX - 1)))
+    if faults:
+        yield f"{len(faults)} labels on a desk: {faults[:6]}"
+
+
 def phone_faults(page: devtools.Page, expects_charts: bool) -> Iterator[str]:
-    """Leaves the page at the width of a phone."""
+    """Looks at the desk first, and leaves the page at the width of a phone."""
+    yield from desk_faults(page)
     page.resize(PHONE_PX)
     page.evaluate("for (const e of document.querySelectorAll('details')) e.open = true")
     page.frames(2)

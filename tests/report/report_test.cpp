@@ -2,8 +2,10 @@
 /// Report pages tested without a browser: what they must contain and what not. (tests/browser opens them in one.)
 #include "earthtop/report/report.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <cmath>
@@ -270,7 +272,9 @@ TEST(Report, SaysWhyWhereTheSummaryDoes) {
 }
 
 TEST(Report, PowersOfTenAreWrittenAsSuch) {
-  EXPECT_EQ(report::powers_html("6.0e-09 of 1e+2, e-9 and 3em"), "6.0×10<sup>−9</sup> of 1×10<sup>2</sup>, e-9 and 3em");
+  EXPECT_EQ(with_powers("6.0e-09 of 1e+2, 31e-10, e-9 and 3em"), "6.0 × 10⁻⁹ of 10², 31 × 10⁻¹⁰, e-9 and 3em");
+  EXPECT_EQ(with_powers("1e-05"), "10⁻⁵");
+  EXPECT_EQ(with_powers("0.1e+20 and -1e-300"), "0.1 × 10²⁰ and -10⁻³⁰⁰");
 }
 
 TEST(Report, ForeignTextStaysText) {
@@ -319,6 +323,8 @@ TEST(Report, OfADocumentThatIsNoneIsRefused) {
   EXPECT_THROW(make_report(dir.path() / "nowhere"), ScenarioError);
 }
 
+std::string heading_of(const std::string& html) { return between(html, "<h1>", "</h1>"); }
+
 TEST(Report, AComparisonShowsEveryVerdict) {
   const TemporaryDirectory dir;
   write_results(run(short_top("A top")), dir.path() / "a", false);
@@ -332,6 +338,16 @@ TEST(Report, AComparisonShowsEveryVerdict) {
   for (const char* text : {"<strong>differs</strong>", "other scenario", "attitude_rad", "invariants.jacobi_integral.initial",
                            "data-chart=\"p0q0\""})
     EXPECT_NE(html.find(text), html.npos) << text;
+  std::ifstream written(dir.path() / "c.json");
+  const auto document = nlohmann::json::parse(written);
+  const auto& quantities = document.at("pairs").at(0).at("quantities");
+  const auto failed =
+      std::count_if(quantities.begin(), quantities.end(), [](const auto& q) { return q.at("passed") == false; });
+  ASSERT_GT(failed, 0);
+  EXPECT_NE(heading_of(html).find(
+                fmt::format(" differ: {} of {} quantities by more than their tolerances.", failed, quantities.size())),
+            html.npos)
+      << heading_of(html);
 }
 
 /// Under the pointer a mark says what it is, and whether it is on the front.
@@ -344,9 +360,32 @@ TEST(Report, AMarkOfABenchSaysWhatItIs) {
     {"method": "gauss", "equations": "general, body", "precision": "double", "step_s": 0.5, "seconds": 0.002,
      "error": {"axis_rad": 2e-11}, "on_front": false}]}]})";
   const std::string html = page_of(dir.path() / "b.json");
-  for (const char* text : {"taylor, reduced, laboratory, double, tolerance 1e-08: 0.001 s, error 1e-12 rad; on the front\"",
-                           "gauss, general, body, double, step 0.5 s: 0.002 s, error 2e-11 rad\""})
+  for (const char* text : {"taylor, reduced, laboratory, double, tolerance 10⁻⁸: 0.001 s, error 10⁻¹² rad; on the front\"",
+                           "gauss, general, body, double, step 0.5 s: 0.002 s, error 2 × 10⁻¹¹ rad\""})
     EXPECT_NE(html.find(text), html.npos) << text;
+}
+
+/// The heading of a bench tells which method is most accurate, and which is fastest.
+TEST(Report, ABenchBeginsWithWhatItFound) {
+  const TemporaryDirectory dir;
+  const auto heading = [&](const std::string& entries) {
+    std::ofstream(dir.path() / "b.json") << R"({"processor": "a", "scenarios": [{"scenario": "top", "compared_error": "axis",
+      "reference": {"error": {"axis_rad": 1e-13}}, "entries": [)" +
+                                                entries + "]}]}";
+    return heading_of(page_of(dir.path() / "b.json"));
+  };
+  const std::string taylor =
+      R"({"method": "taylor", "equations": "reduced, laboratory", "precision": "double", "seconds": 0.001,
+    "error": {"axis_rad": 1e-12}})";
+  const std::string gauss = R"({"method": "gauss", "equations": "general, body", "precision": "double", "seconds": 0.002,
+    "error": {"axis_rad": )";
+  EXPECT_EQ(heading(taylor + "," + gauss + "2e-11}}"),
+            "top: taylor is fastest and most accurate; it errs by 10⁻¹² rad after 0.001 s.");
+  EXPECT_EQ(heading(taylor + "," + gauss + "2.5e-13}}"),
+            "top: the most accurate method, gauss, errs by 2.5 × 10⁻¹³ rad after 0.002 s; the fastest, taylor, errs by 10⁻¹² "
+            "rad after "
+            "0.001 s.");
+  EXPECT_EQ(heading(""), "No method has both a time and an error.");
 }
 
 /// A comparison with a measurement as if it had been made: azimuths that go round once, and a tilt.
@@ -382,11 +421,16 @@ TEST(Report, AMeasurementShowsWhatItSays) {
   const std::string html = page.html;
   for (const char* text :
        {"they <strong>agree",
-        "the Earth&#39;s rate times sin(latitude) is 5.16e-5 ± 0.30e-5 rad/s: seen, zero is excluded at 17 sigma",
-        "Taken as exact", "would shift omega_sin_latitude_rad_s by one standard error", "0.002</data> m/s", "a&lt;top",
+        "the Earth&#39;s rate times sin(latitude) is 5.16 × 10⁻⁵ ± 0.30 × 10⁻⁵ rad/s: seen, zero is excluded at 17 sigma",
+        "Taken as exact", ">Earth&#39;s rate times sin(latitude)</span> by one standard error", "0.002</data> m/s²", "a&lt;top",
         "Correlation of the estimates", "-0.25</data>", "Known beforehand", "it is &lt;not&gt; estimated",
         "data-chart=\"data\"", "data-chart=\"residuals\""})
     EXPECT_NE(html.find(text), html.npos) << text;
+  EXPECT_EQ(heading_of(html), "The Earth&#39;s rate times sin(latitude) is 5.16 × 10⁻⁵ ± 0.30 × 10⁻⁵ rad/s.");
+  MeasurementReport without = report;
+  without.estimates.clear(), without.correlation.clear(), without.priors.clear();
+  std::ofstream(dir.path() / "n.json") << measurement_json(without);
+  EXPECT_EQ(heading_of(page_of(dir.path() / "n.json")), "The measured rows agree with the scenario a&lt;top.");
   ASSERT_EQ(page.pictures.size(), 2u);
   // The measured values follow the model over the whole turn: each lies 0.01 rad above it.
   const auto chart = data_of(html).at("charts").at("data");

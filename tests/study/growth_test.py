@@ -254,7 +254,7 @@ class Shown(Studies):
         self.assertIn('"values":[-0.3,-0.2,-0.1,0.0,0.1,0.2,0.3]', page)
         for file in ("report.html", "study.svg"):
             self.assertNotRegex(self.text("a", file), r"latitude_deg [-0-9.]{8}")
-        self.assertEqual(set(re.findall(r"latitude_deg (-?[0-9.]+)<", self.text("a", "study.svg"))), set(meant))
+        self.assertEqual(set(re.findall(r"latitude (-?[0-9.]+)°<", self.text("a", "study.svg"))), set(meant))
         # Levels that differ in the seventh digit are told apart; thirds stay thirds.
         done = self.run_program("study", self.write("t", axes=[latitudes(2), {"pointer": "/release/tilt_deg", "values": [10.0000001, 10.0000002]}]),
                                 "--out", "b")

@@ -13,8 +13,7 @@ function startCharts(charts) {
 
 /** What a reader does to see a chart's values; where there is no pointer, a finger does it. */
 function howToRead(what) {
-  return window.matchMedia("(hover: none)").matches ? `Tap ${what} to read its values.` :
-    `Point at ${what}, or focus the chart and use the arrow keys.`;
+  return kHasPointer ? `Point at ${what}, or focus the chart and use the arrow keys.` : `Tap ${what} to read its values.`;
 }
 
 /** The index k in `list` for which place(k) is nearest to `where`. */

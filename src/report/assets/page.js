@@ -32,6 +32,13 @@ function drawnElement(tag, attributes) {
 
 function isNumber(value) { return typeof value === "number" && Number.isFinite(value); }
 
+/** Whether there is a mouse, and so most likely a keyboard, too. */
+const kHasPointer = window.matchMedia("(hover: hover)").matches;
+
+/** A power of ten in raised digits: "10⁻⁷". */
+function powerOfTen(exponent) { return `10${String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[digit])}`; }
+
+/** A number for the eye: "0.25", "5.5 × 10⁻⁷". */
 function format(value, digits = 6) {
   if (typeof value === "string") return value;
   if (!isNumber(value)) return value === null || typeof value !== "object" ? "none" : JSON.stringify(value);
@@ -39,7 +46,7 @@ function format(value, digits = 6) {
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 10 ** digits) return String(Number(value.toPrecision(digits)));
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-  return `${Number(mantissa)}e${exponent}`;
+  return Number(mantissa) === 1 ? powerOfTen(Number(exponent)) : `${Number(mantissa)} × ${powerOfTen(Number(exponent))}`;
 }
 
 function clamp(value, low, high) { return Math.min(high, Math.max(low, value)); }
@@ -142,6 +149,8 @@ document.documentElement.classList.add("js");
 window.earthtop = { view: kView, frames: 0, fps: 0 };
 startTheme();
 for (const button of document.querySelectorAll("button.copy")) makeCopying(button);
+// All digits of a number on demand, and what is copied has them with an exponent that programs read.
+for (const number of document.querySelectorAll("data")) number.title ||= number.value;
 const kData = unpacked(JSON.parse(byId("earthtop-data")?.textContent || "{}"));
 startCharts(kData.charts ?? {});
 if (kData.kind === "study") startStudy(kData);

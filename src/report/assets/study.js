@@ -91,6 +91,30 @@ function outsideText(scale) {
   return parts.join(" ");
 }
 
+// --- words
+
+/** The study with settings and quantities as the page calls them, and numbers in the units that it shows. */
+function inWords(data) {
+  const { axes, quantities } = data.words, scaled = (value, q) => (isNumber(value) ? value * (quantities[q].factor ?? 1) : value);
+  const label = ({ words, unit }) => (unit ? `${words} (${unit})` : words);
+  return {
+    ...data,
+    axes: data.axes.map((axis, k) => ({ ...axis, name: axes[k].words, label: label(axes[k]), unit: axes[k].unit })),
+    quantities: quantities.map(({ words }) => words),
+    labels: quantities.map(label),
+    units: quantities.map(({ unit }) => unit),
+    points: data.points?.map((point) => ({ ...point, values: point.values.map(scaled) })),
+    scales: data.scales?.map((scale, q) => (isNumber(scale.low) ? { ...scale, low: scaled(scale.low, q), high: scaled(scale.high, q) } : scale)),
+    pictures: data.pictures?.map((picture) => ({ ...picture,
+      cells: picture.cells.map(([i, j, count, mean, example]) => [i, j, count, scaled(mean, picture.quantity), example]) })),
+  };
+}
+
+/** A number with its unit: "235.2″", "200 rad/s". */
+function withUnit(value, unit, digits) {
+  return isNumber(value) && unit ? `${format(value, digits)}${/^[°″]$/.test(unit) ? "" : " "}${unit}` : format(value, digits);
+}
+
 // --- the scenario of a point
 
 function quoted(text) { return `'${text.replaceAll("'", "'\\''")}'`; }
@@ -114,37 +138,37 @@ function pointsOf(data) {
   return data.points.map((point) => ({
     ...point,
     at: data.axes.map((axis, k) => axis.values[point.axes[k]]),
-    where: data.axes.map((axis, k) => `${axis.name} ${format(axis.values[point.axes[k]])}`).join(", "),
+    where: data.axes.map((axis, k) => `${axis.name} ${withUnit(axis.values[point.axes[k]], axis.unit)}`).join(", "),
   }));
 }
 
-function markOf(point, { x, y, quantity, names, ...more }) {
+function markOf(point, { x, y, quantity, data, ...more }) {
   const value = point.values[quantity];
-  return { x, y, value, ...more, number: point.number, set: point.set, text: `${point.where}: ${names[quantity]} ${format(value, 8)}.` };
+  return { x, y, value, ...more, number: point.number, set: point.set, text: `${point.where}: ${data.quantities[quantity]} ${withUnit(value, data.units[quantity], 8)}.` };
 }
 
 /** A quantity over the only axis, or over one of several. */
-function curvePicture(data, points, { quantity, across, log, joined }) {
-  const names = data.quantities, x = axisScale(points.map((point) => point.at[across]));
+function curvePicture(data, points, { quantity, across, log }) {
+  const x = axisScale(points.map((point) => point.at[across]));
   const y = valueScale(points.map((point) => point.values[quantity]), log);
-  const marks = points.map((point) => markOf(point, { x: x.of(point.at[across]), y: y?.of(point.values[quantity]), quantity, names }));
-  return { xTitle: data.axes[across].name, yTitle: names[quantity], x, y, marks, joined, outside: y };
+  const marks = points.map((point) => markOf(point, { x: x.of(point.at[across]), y: y?.of(point.values[quantity]), quantity, data }));
+  return { xTitle: data.axes[across].label, yTitle: data.labels[quantity], x, y, marks, outside: y };
 }
 
 /** A quantity as a colour: cells where every pair of values has its point, else dots. */
 function mapPicture(data, points, { quantity, across, up, log, cells }) {
-  const names = data.quantities, x = axisScale(points.map((point) => point.at[across])), y = axisScale(points.map((point) => point.at[up]));
+  const x = axisScale(points.map((point) => point.at[across])), y = axisScale(points.map((point) => point.at[up]));
   const colour = valueScale(points.map((point) => point.values[quantity]), log);
   const marks = points.map((point) => markOf(point, {
-    x: x.of(point.at[across]), y: y.of(point.at[up]), quantity, names,
+    x: x.of(point.at[across]), y: y.of(point.at[up]), quantity, data,
     cell: cells ? [...x.edges(point.at[across]), ...y.edges(point.at[up])] : null,
   }));
-  return { xTitle: data.axes[across].name, yTitle: data.axes[up].name, title: names[quantity], x, y, colour, marks, outside: colour };
+  return { xTitle: data.axes[across].label, yTitle: data.axes[up].label, title: data.labels[quantity], x, y, colour, marks, outside: colour };
 }
 
 /** Cells of many points: how many there are over an axis and a quantity, or the mean of the quantity over two axes. */
 function cellPicture(data, { quantity, across, up, cells }, log) {
-  const name = data.quantities[quantity], counted = up === null;
+  const name = data.quantities[quantity], unit = data.units[quantity], counted = up === null;
   const side = (given) => {
     if (given.values) {
       const scale = axisScale(given.values);
@@ -157,18 +181,18 @@ function cellPicture(data, { quantity, across, up, cells }, log) {
   };
   const x = side(data.axes[across].scale), y = side(counted ? data.scales[quantity] : data.axes[up].scale);
   const values = cells.map((cell) => cell[counted ? 2 : 3]), colour = counted ? fullScale(values, log) : valueScale(values, log);
-  const yTitle = counted ? name : data.axes[up].name;
+  const yTitle = counted ? data.labels[quantity] : data.axes[up].label;
   const marks = cells.map(([i, j, count, mean, example]) => {
     const cell = [...x.edges(i), ...y.edges(j)];
     return {
       x: (cell[0] + cell[1]) / 2, y: (cell[2] + cell[3]) / 2, cell, value: counted ? count : mean, number: example, count, mean,
       set: data.examples[example],
-      text: `${data.axes[across].name} ${x.text(i)}, ${yTitle} ${y.text(j)}: ${count} ${count === 1 ? "point" : "points"}, ` +
-        `mean of ${name} ${format(mean, 8)}; for example point ${example + 1}.`,
+      text: `${data.axes[across].label} ${x.text(i)}, ${yTitle} ${y.text(j)}: ${count} ${count === 1 ? "point" : "points"}, ` +
+        `mean of ${name} ${withUnit(mean, unit, 8)}; for example point ${example + 1}.`,
     };
   });
-  const title = counted ? "number of points" : `mean of ${name}`;
-  return { xTitle: data.axes[across].name, yTitle, title, x: x.scale, y: y.scale, colour, marks, outside: counted ? null : colour };
+  const title = counted ? "number of points" : `mean of ${data.labels[quantity]}`;
+  return { xTitle: data.axes[across].label, yTitle, title, x: x.scale, y: y.scale, colour, marks, outside: counted ? null : colour };
 }
 
 /** The scale of numbers of which none is left outside. */
@@ -220,13 +244,6 @@ function drawPicture({ pen, width, height }, picture, chosen) {
   if (colour) drawColours(pen, { colour, title: picture.title, write, width });
 
   const places = marks.map((mark) => [across(mark.x), upward(mark.y ?? 0)]);
-  if (picture.joined) {
-    pen.strokeStyle = kPalette.ref;
-    pen.lineWidth = 1.75;
-    trace(pen, marks.map((mark, k) => ({ at: places[k], ...mark })).filter((mark) => isNumber(mark.value))
-      .sort((a, b) => a.x - b.x).map((mark) => mark.at));
-    pen.stroke();
-  }
   marks.forEach((mark, k) => drawMark(pen, mark, places[k], { picture, across, upward, chosen: k === chosen }));
   if (marks[chosen]) drawMark(pen, marks[chosen], places[chosen], { picture, across, upward, chosen: true });
   return places;
@@ -346,7 +363,7 @@ function explore(parts, data, make) {
   };
   const tell = () => {
     const mark = picture.marks[chosen];
-    state.textContent = (mark?.text ?? "") + (shown.hidden ? " Click or tap a point, or press Enter, for its scenario; arrow keys move." : "");
+    state.textContent = (mark?.text ?? "") + (shown.hidden ? ` ${kHasPointer ? "Click" : "Tap"} a point${kHasPointer ? ", or press Enter," : ""} for its scenario${kHasPointer ? "; arrow keys move" : ""}.` : "");
     if (!shown.hidden) scenario.textContent = pointCommand(data, mark?.set);
     draw();
   };
@@ -361,14 +378,14 @@ function explore(parts, data, make) {
   const open = () => { shown.hidden = false; tell(); };
   canvas.addEventListener("click", (event) => {
     if (!places.length) return;
-    chosen = nearestPlace(places, [event.offsetX, event.offsetY], picture.joined);
+    chosen = nearestPlace(places, [event.offsetX, event.offsetY]);
     open();
   });
   canvas.addEventListener("keydown", (event) => {
     const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
     if (event.key === "Enter") open();
     else if (way && places.length) {
-      chosen = neighbour(picture.joined ? places.map(([x]) => [x, 0]) : places, chosen, way);
+      chosen = neighbour(places, chosen, way);
       tell();
     } else return;
     event.preventDefault();
@@ -379,16 +396,33 @@ function explore(parts, data, make) {
   change();
 }
 
-/** The nearest mark; on a curve, the nearest across. */
-function nearestPlace(places, [x, y], joined) {
-  return nearest(places, (k) => Math.hypot(places[k][0] - x, joined ? 0 : places[k][1] - y), 0);
+function nearestPlace(places, [x, y]) {
+  return nearest(places, (k) => Math.hypot(places[k][0] - x, places[k][1] - y), 0);
 }
 
 function startStudy(data) {
   const room = byId("explorer");
   if (!room || !data.axes?.length || !data.quantities?.length) return;
-  if (data.pictures?.length) exploreCells(explorerParts(room), data);
-  else if (data.points?.length) explorePoints(explorerParts(room), data);
+  const told = inWords(data);
+  if (data.pictures?.length) exploreCells(explorerParts(room), told);
+  else if (data.points?.length && data.drawn_above) choosePoints(explorerParts(room), told);
+  else if (data.points?.length) explorePoints(explorerParts(room), told);
+}
+
+/** The points of curves that the page has drawn already: one to choose, with its numbers and its scenario. */
+function choosePoints({ canvas, outside, state, shown, scenario, choice, controls }, data) {
+  canvas.remove();
+  outside.remove();
+  const points = pointsOf(data), point = choice("Point ", points.map(({ where }) => where));
+  const tell = () => {
+    const { where, values, set } = points[point.selectedIndex];
+    const numbers = values.map((value, q) => `${data.quantities[q]} ${withUnit(value, data.units[q], 8)}`);
+    state.textContent = `${where}: ${numbers.join("; ")}.`;
+    scenario.textContent = pointCommand(data, set);
+  };
+  shown.hidden = false;
+  controls.addEventListener("change", tell);
+  tell();
 }
 
 function exploreCells(parts, data) {
@@ -419,9 +453,9 @@ function explorePoints(parts, data) {
   explore(parts, data, () => {
     const how = { quantity: quantity.selectedIndex, across: across?.selectedIndex ?? 0, log: parts.log.checked };
     const cut = points.filter((point) => sliders.every((slider, k) => point.axes[k + 2] === Number(slider.value)));
-    if (axes.length === 1) return curvePicture(data, cut, { ...how, joined: true });
+    if (axes.length === 1) return curvePicture(data, cut, how);
     const upwards = up?.selectedIndex ?? 1;
-    if (upwards === axes.length) return curvePicture(data, cut, { ...how, joined: false });
+    if (upwards === axes.length) return curvePicture(data, cut, how);
     return mapPicture(data, cut, { ...how, up: upwards, cells: whole });
   });
 }

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Mapping, Optional, 
 
 import numpy as np
 
-from . import _core
+from . import _core, _look
 from ._documents import Document, Given, correlation_of, errors_named, exact_of, findings_of, label, names_of, number, parts_of, table
 from ._errors import refuse
 from ._progress import Progress, Reporter
@@ -159,14 +159,11 @@ class Fit(_Fitted):
         **options
             go to ``ax.errorbar``
         """
-        import matplotlib.pyplot
-
-        if ax is None:
-            _, ax = matplotlib.pyplot.subplots()
+        ax = _look.axes(ax)
         for quantity, rows in self.residuals.groupby("quantity", sort=False):
             style = {"fmt": ".", "label": quantity, **options}
             ax.errorbar(rows["t_s"], rows["residual_rad"], yerr=rows["standard_error_rad"], **style)
-        ax.axhline(0, color="gray", linewidth=0.8)
+        ax.axhline(0, color=_look.MUTED, linewidth=0.8)
         ax.ticklabel_format(axis="y", scilimits=(-3, 3))
         ax.set_xlabel("time / s")
         ax.set_ylabel("measured less predicted / rad")

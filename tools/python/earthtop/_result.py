@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, 
 
 import numpy as np
 
-from . import _core
+from . import _core, _look
 from ._arrays import ROW_KINDS, TORQUE_KINDS, Arrays, Kind, Quantity, quantities_of, read_only
 from ._documents import errors_named
 from ._errors import refuse, warn
@@ -292,14 +292,11 @@ class Result(Pickled):
         -------
         matplotlib.axes.Axes
         """
-        import matplotlib.pyplot
-
         if quantity not in self.rows:
             raise refuse(f"there is no quantity {quantity!r}; there are {', '.join(self.rows)}")
         if self.rows[quantity].dtype.kind == "U":
             raise refuse(f"{quantity!r} is a word and cannot be drawn")
-        if ax is None:
-            _, ax = matplotlib.pyplot.subplots()
+        ax = _look.axes(ax)
         seen, window = self._seen()
         t_s, values = np.asarray(seen["t_s"], dtype=float), np.asarray(seen[quantity], dtype=float)
         components = next(kind.components for kind in ROW_KINDS if kind.name == quantity)
@@ -317,10 +314,10 @@ class Result(Pickled):
         if window:
             columns = [(least, most)] if least.ndim == 1 else list(zip(least.T, most.T))
             for line, (low, high) in zip(lines, columns):
-                ax.fill_between(t_s, low, high, alpha=0.35, color=line.get_color(), linewidth=0, label="least to most")
+                ax.fill_between(t_s, low, high, alpha=_look.BAND_OPACITY, color=line.get_color(), linewidth=0, label="least to most")
         elif bound in seen:
             error = np.asarray(seen[bound], dtype=float)
-            ax.fill_between(t_s, values - error, values + error, alpha=0.3, color=lines[0].get_color(), linewidth=0)
+            ax.fill_between(t_s, values - error, values + error, alpha=_look.BAND_OPACITY, color=lines[0].get_color(), linewidth=0)
         if components or window:
             ax.legend()
         ax.set_xlabel("time (s)")
