@@ -9,10 +9,9 @@
 
 namespace earthtop {
 
-/// The sentences on a run whose rows, drift, verdict and theory are known: about a heavy top that precesses, a free gyroscope, a
-/// sleeping top, a pendulum that is released at rest, a gyrocompass without damping, or a ball or a sleeping top that rolls: none where
-/// first-order theory does not apply, or does not agree with the run. And on what the bearing of a rotor does. There are none at all where the
-/// verdict does not trust the whole run.
+/// The sentences on a run whose rows, drift, verdict and theory are known; tools/README.md lists the laws that they tell. There are none
+/// where a law does not apply, or does not agree with the run, and none at all where the verdict does not trust the whole run: but that
+/// a free body turns over is told of an unstable run, too.
 std::vector<WhySentence> why_sentences(const RunResult& result);
 
 /// The lean of the cone on which a top precesses, because the laboratory turns about North, too.
