@@ -127,7 +127,8 @@ void EstimatedInputs::add(const std::string& name) {
   // A missing number may be one that this scenario must not have: the other of a pair, or a key of a part that it lacks.
   const std::vector<input::TreeChange> same = {{pointer, start}};
   if (!varied_scene(document_, same)) throw ScenarioError(examine(document_, same).errors, document_.file());
-  list_.push_back({name, pointer, std::string(field->unit), start, scale_of(start, field->unit, pointer)});
+  list_.push_back({named != kInputs.end() ? name : pointer, pointer, std::string(field->unit), start,
+                   scale_of(start, field->unit, pointer)});
 }
 
 void EstimatedInputs::add_combined(CombinedInput combined, const std::string& name) {

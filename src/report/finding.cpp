@@ -157,8 +157,14 @@ std::string untrusted_times(const Run& run) {
   for (std::size_t i = 0; const auto from = run.number(fmt::format("/drift/verdict_intervals/{}/from_s", i)); ++i) {
     const std::string at = fmt::format("/drift/verdict_intervals/{}/", i);
     const auto until = run.number(at + "until_s");
-    const std::string begin = number_html(*from, "s"), end = until ? number_html(*until, "s") : "";
-    const bool is_moment = until && fmt::format("{:.7g}", *from) == fmt::format("{:.7g}", *until);
+    constexpr int kFewest = 4, kMost = 7;  // digits, as many as tell both ends apart
+    const auto same = [&](int digits) {
+      return until && fmt::format("{:.{}g}", *from, digits) == fmt::format("{:.{}g}", *until, digits);
+    };
+    int digits = kFewest;
+    while (digits < kMost && same(digits)) ++digits;
+    const std::string begin = number_html(*from, "s", digits), end = until ? number_html(*until, "s", digits) : "";
+    const bool is_moment = same(kMost);
     text += fmt::format(" {} {}{}, the drift cannot be trusted: {}.", is_moment ? "At" : "From", begin,
                         is_moment ? ""
                         : until   ? " to " + end

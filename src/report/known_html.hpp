@@ -9,8 +9,6 @@
 
 namespace earthtop::report {
 
-/// Escaped text with its powers of ten as a reader writes them.
-
 /// "235.189″ ± 0.012″": the number to the second digit of its error. The element's machine-readable value stays in SI units and is
 /// exact to the last bit. Without an error that is known, the number alone.
 /// @param strong  whether the number is emphasised

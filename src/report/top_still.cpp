@@ -101,7 +101,7 @@ std::string drawn(const TopStill& still, double width, double height) {
                     circle(Vec(0, 0, side * length * tilt_cos), up, length * std::sqrt(std::max(0.0, 1 - tilt_cos * tilt_cos))),
                     red + " stroke-width=\"1\" stroke-dasharray=\"1 4\"", true);
   if (const Vec earth = vector(still.earth_rate_L); earth.norm() > 0) {
-    const Vec end = 1.35 * earth.normalized();
+    const Vec end = 1.35 * side * earth.normalized();
     out += polyline(view, {-0.25 * end, end},
                     "fill=\"none\" class=\"et-frame\" stroke=\"#6b7280\" stroke-width=\"2\" stroke-dasharray=\"8 4\"");
     label(out, view, end, 6, 0, "start", "the Earth's axis");

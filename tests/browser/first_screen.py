@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+import checks
 import devtools
 
 SCREENS = ((1280, 800), (390, 844))  # px
@@ -101,10 +102,10 @@ def trust_faults(seen: dict[str, Any], summary: dict[str, Any]) -> Iterator[str]
         yield f"the reason is not in sight: {text!r}"
     if wanted is None:
         return
-    found = re.search(r"± ([0-9.e+-]+) ?(°|″|milliarcsec|microarcsec)", text)
+    found = re.search(r"± ([0-9.]+(?: × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?) ?(°|″|milliarcsec|microarcsec)", text)
     if not found:
         yield f"how sure it is does not stand there: {text!r}"
-    elif abs(float(found[1]) - wanted[1] * PER_RAD[SYMBOLS[found[2]]]) > 0.06 * float(found[1]):
+    elif abs(checks.number(found[1]) - wanted[1] * PER_RAD[SYMBOLS[found[2]]]) > 0.06 * checks.number(found[1]):
         yield f"the error is said to be {found[0]}, the summary's is {wanted[1]} rad"
 
 

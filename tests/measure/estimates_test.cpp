@@ -262,7 +262,7 @@ TEST_F(MeasurementTest, WhatTheDataDoNotTellIsNamed) {
   outcome({"rotation_rate_rad_s", "/body/mass_kg"}, "do not determine /body/mass_kg");
   // tan(azimuth - 90 deg) = sin(latitude) tan(Omega t): the two inputs can be told apart only by terms of third order in Omega
   // t = 0.004.
-  outcome({"rotation_rate_rad_s", "latitude_deg"}, "do not tell apart rotation_rate_rad_s, latitude_deg");
+  outcome({"rotation_rate_rad_s", "latitude_deg"}, "these data do not tell apart rotation_rate_rad_s, latitude_deg");
 }
 
 TEST_F(MeasurementTest, ALeastSumBeyondARangeIsNoFit) {

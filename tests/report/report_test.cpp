@@ -225,9 +225,10 @@ TEST(Report, AGyrocompassShowsItsSwingFirst) {
   const auto series = data_of(page.html).at("charts").at("compass").at("series");
   double least = 0;
   for (const auto& y : series.at(0).at("y")) least = std::min(least, y.get<double>());
-  EXPECT_NEAR(series.at(0).at("y").at(0).get<double>(), 10, 1e-6);
-  EXPECT_NEAR(least, -10, 0.01) << "from the one side of North to the other";
-  for (const auto& y : series.at(1).at("y")) EXPECT_NEAR(y.get<double>(), 10, 1e-6) << "without the Earth it stays";
+  EXPECT_NEAR(series.at(0).at("y").at(0).get<double>(), 10, 1e-6);  // seven digits
+  EXPECT_NEAR(least, -10, 0.01) /* the looks beside the turning point */ << "from the one side of North to the other";
+  for (const auto& y : series.at(1).at("y"))
+    EXPECT_NEAR(y.get<double>(), 10, 1e-6) /* seven digits */ << "without the Earth it stays";
 }
 
 TEST(Report, ATippeTopShowsItsTurnOverFirst) {
