@@ -276,7 +276,7 @@ fi
 expect 0 run top.json --out plain --quiet
 alone() { "$@" >out.txt 2>err.txt </dev/null || fault "$*"; }
 same() { cmp -s plain/trajectory.csv "$1/trajectory.csv" && cmp -s plain/summary.json "$1/summary.json" || fault "$1: other results"; }
-alone env LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 "$tool" run top.json --out german
+alone env LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 "$tool" run top.json --long --out german
 same german
 grep -q 'gravity 9.8 m' out.txt || fault "a decimal comma"
 if command -v nm >/dev/null; then

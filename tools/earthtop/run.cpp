@@ -165,7 +165,7 @@ Written output_directory(const RunArguments& arguments, const Scene& scene) {
   try {
     check_output_directory(dir, scene, arguments.force);
   } catch (const ScenarioError& error) {
-    if (arguments.force || !std::filesystem::is_directory(dir)) throw;
+    if (std::error_code unseen; arguments.force || !std::filesystem::is_directory(dir, unseen)) throw;
     std::vector<Diagnostic> refusal = error.diagnostics();
     refusal.back().message += "; for example: " + command_with_out(arguments, free_output_directory(dir, scene));
     throw ScenarioError(std::move(refusal), error.file());

@@ -54,11 +54,12 @@ const Example& find_example(std::string_view name) {
 
 ScenarioSource scenario_of(const std::string& operand) {
   const bool is_path = operand.find('/') != std::string::npos;
-  if (operand == "-" || is_path || std::filesystem::is_regular_file(operand)) return read_scenario_source(operand);
+  std::error_code error;
+  if (operand == "-" || is_path || std::filesystem::is_regular_file(operand, error)) return read_scenario_source(operand);
   if (const Example* known = example_called(operand))
     return {std::string(known->name) + std::string(kExtension), std::string(known->text)};
-  std::error_code error;
-  if (std::filesystem::exists(std::filesystem::symlink_status(operand, error))) return read_scenario_source(operand);
+  if (std::filesystem::symlink_status(operand, error).type() != std::filesystem::file_type::not_found)
+    return read_scenario_source(operand);
   std::string_view name = operand;
   if (name.ends_with(kExtension)) name.remove_suffix(kExtension.size());
   if (const auto meant = meant_example(name))

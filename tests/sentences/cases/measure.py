@@ -386,7 +386,7 @@ CASES = [
             set={"/uncertainty": {"latitude_deg": 1e-3}}, unless={"/uncertainty/latitude_deg": 1}),
 
     # the picture of a plan
-    planned("--svg p.svg", ["What a measurement would show", "free-gyro: standard error of omega_sin_latitude_rad_s",
+    planned("--svg p.svg", ["What a measurement would show", "free-gyro: standard error of the Earth's rate times sin(latitude)",
                             "Changed by a factor of", "measured longer", "more rows", "smaller standard errors",
                             "the scenario's value"], page="p.svg"),
     planned("--svg p.svg", "smaller standard errors", page="p.svg", set={"/earth": {"rotation_rate_rad_s": 0}},
