@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The newcomer's way: three commands from an empty directory to a page on which a top moves, all shipped scenarios on one screen.
-usage: newcomer_test.py PATH_OF_EARTHTOP [--all]     --all: the hard cases, too"""
+usage: newcomer_test.py PATH_OF_EARTHTOP [--all | --sanitized]     --all: the hard cases, too; --sanitized: few scenarios, and no time"""
 import json
 import os
 import pathlib
@@ -12,7 +12,7 @@ import tempfile
 import xml.etree.ElementTree
 
 LINES, COLUMNS, PROMPTS = 24, 80, 2  # the command above the printout, and the next one below it
-MOST_SECONDS = 0.5  # of processor time, for the three commands
+MOST_SECONDS = 1.0  # of processor time, for the three commands: they take 0.35 s; a busy or slower machine may take twice half a second
 faults = []
 
 
@@ -49,7 +49,7 @@ def journey(tool):
     drift = summary["drift"]["axis_final_rad"]
     said = float(re.search(r"([-+0-9.e]+) ± [0-9.e-]+ rad", printed).group(1))
     expect(abs(said - drift) <= 1e-11 * drift, f"the printout says {said}, the summary {drift}")
-    expect(seconds <= MOST_SECONDS, f"{seconds:.2f} s of processor time, more than {MOST_SECONDS} s")
+    expect(seconds <= MOST_SECONDS or "--sanitized" in sys.argv, f"{seconds:.2f} s of processor time, more than {MOST_SECONDS} s")
     print(f"three commands to a page: {seconds:.2f} s of processor time")
     return page
 
@@ -97,7 +97,8 @@ def main():
         page = journey(tool)
         newest(tool, page)
         pictures(tool, page)
-        screens(tool, sorted(scenarios.glob("*.json")) + (sorted(scenarios.glob("hard/*.json")) if "--all" in sys.argv else []))
+        shown = "toy-top*.json" if "--sanitized" in sys.argv else "*.json"
+        screens(tool, sorted(scenarios.glob(shown)) + (sorted(scenarios.glob("hard/*.json")) if "--all" in sys.argv else []))
         for name in ("toy-top", "foucault-pendulum"):
             for verb in ("run", "check", "explain"):
                 expect(name in run(tool, verb, name).stdout or verb != "check", f"{verb} {name}")

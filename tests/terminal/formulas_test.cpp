@@ -364,6 +364,8 @@ TEST(Formulas, EveryFormulaOfTheSourcesIsHeld) {
                                         "in the bearing's dry friction -T",
                                         "Equations: dL/dt = L x w + torque in body axes",
                                         "y = a + b sin(x) or a + b cos(x), x in degrees",
+                                        "= a + b sin({})",  // the page's words for the laws that are held above
+                                        "= a + b cos({})",
                                         "2 pi/60 rad/s each",
                                         "between the two attitudes, 0 to pi",
                                         "GM/r^3",
