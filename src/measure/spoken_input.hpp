@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What sentences call an input of a fit.
+/// The name by which sentences call an input of a fit.
 #pragma once
 
 #include <string>

@@ -144,7 +144,7 @@ Figure bench_chart(const Json& scene, const std::vector<Entry>& entries) {
   return figure;
 }
 
-/// What was found of the first scenario, in a sentence: the fastest method, and the most accurate one.
+/// The finding on the first scenario, in a sentence: the fastest method, and the most accurate one.
 std::string finding_of(const Json& scenes) {
   const std::vector<Entry> entries = scenes.empty() ? std::vector<Entry>() : entries_of(scenes.front());
   if (entries.empty()) return "No method has both a time and an error.";

@@ -28,7 +28,7 @@ std::string quantity_html(const std::string& name) {
                      escaped(unit.empty() ? words : fmt::format("{} ({})", words, unit)));
 }
 
-/// What was found, in a sentence.
+/// The finding, in a sentence.
 std::string finding_of(const Json& document, const Json& pairs, const std::string& verdict) {
   const std::string both = text_of(document, "new") + " and " + text_of(document, "reference");
   if (verdict == "same") return both + " are the same to within their tolerances.";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What the chart of the drift over time is made of on a run's page.
+/// The numbers that the chart of the drift is made of on a run's page.
 #pragma once
 
 #include "report/run_data.hpp"

@@ -93,7 +93,7 @@ std::string given_length(double m) {
   return fmt::format("<data value=\"{}\">{:.4g}</data>{}", m, m * unit.per_si, escaped(unit.symbol));
 }
 
-/// What it is that drifts, in a word, from what the scenario describes.
+/// The thing that drifts, in a word that fits the scenario.
 const char* name_of_top(const Run& run) {
   if (run.number("/motion/swing/plane_rate_rad_s")) return "pendulum";
   if (!run.scene) return "top";
@@ -127,7 +127,7 @@ std::string beside_the_sun(double rad) {
   return "1/" + digits + " of" + disc;
 }
 
-/// What an angle of the axis is as a length: at the centre of mass where that lies on the axis, else a metre from the pivot. The tip of a
+/// The length that an angle of the axis makes: at the centre of mass where that lies on the axis, else a metre from the pivot. The tip of a
 /// top on a table moves by itself.
 std::string length_words(const Run& run, const LastDrift& drift) {
   if (run.has_contact) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a run found, as the page says it on top: what drifts, by how much, and how sure that is.
+/// The finding of a run, as the page says it on top: what drifts, by how much, and how sure that is.
 #pragma once
 
 #include <string>

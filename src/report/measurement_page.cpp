@@ -46,7 +46,7 @@ std::vector<std::string> sentences(const Json& document) {
   return list;
 }
 
-/// What was found, in a sentence: the first estimate with its error; without a fit, whether the data agree.
+/// The finding, in a sentence: the first estimate with its error; without a fit, whether the data agree.
 std::string finding_of(const Json& document, const std::string& otherwise) {
   for (const Json& estimate : document.at("estimates")) {
     std::string sentence = words_of(estimate, "sentence");

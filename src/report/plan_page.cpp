@@ -104,7 +104,7 @@ std::string in_words(const Json& document, std::string text) {
   return with_powers(text);
 }
 
-/// What the plan says, in a sentence.
+/// The finding of the plan, in a sentence.
 std::string finding_of(const Json& document, bool is_determined) {
   if (!is_determined) return "This measurement would not determine all that it is to determine.";
   const Json& first = document.at("estimates").at(0);

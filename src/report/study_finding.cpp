@@ -120,7 +120,7 @@ std::string course(const std::vector<Level>& levels, const StudyColumn& quantity
   return fmt::format("is least, {}, at {} and largest, {}, at {}", low, least->name, high, most->name);
 }
 
-/// Of a grid: the setting along which the mean over all others moves most.
+/// Returns the setting of a grid along which the mean over all others moves most.
 std::string grid_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
   const std::vector<StudyColumn> settings = settings_of(study);
   std::vector<Level> chosen;
@@ -139,7 +139,7 @@ std::string grid_finding(const Json& study, const StudyColumn& quantity, double 
                      settings[at].words, course(chosen, quantity));
 }
 
-/// Of settings changed one at a time: the one whose change moves the quantity most from the point where none is changed.
+/// Returns, among settings that are changed one at a time, the one whose change moves the quantity most from the point where none is changed.
 std::string one_by_one_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
   const std::vector<StudyColumn> settings = settings_of(study);
   Json points = study.value("points", Json());

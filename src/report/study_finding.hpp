@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a study found, in a sentence, from its document alone.
+/// The finding of a study, in a sentence, from its document alone.
 #pragma once
 
 #include <string>

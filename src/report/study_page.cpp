@@ -80,7 +80,7 @@ std::string fits_section(const Json& study) {
                             "<p>The fits are of numbers in SI units: radians, metres, seconds; of a latitude in degrees.</p>\n";
 }
 
-/// What a pointer into the results is: "drift of the axis at the end (″), point 3", and the column whose unit it has.
+/// The words for a pointer into the results: "drift of the axis at the end (″), point 3", and the column whose unit it has.
 std::pair<std::string, StudyColumn> named_figure(const std::string& pointer, const std::vector<StudyColumn>& quantities) {
   std::vector<std::string> steps;
   for (std::size_t at = 0; at < pointer.size();) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "earthtop/elementary.hpp"
+#include "plot/palette.hpp"
 #include "plot/strokes.hpp"
 #include "plot/svg_text.hpp"
 #include "plot/trace.hpp"
@@ -84,11 +85,13 @@ std::string drawn(const TopStill& still, double width, double height) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "role=\"img\" "
-      "fill=\"#374151\" font-family=\"sans-serif\" font-size=\"12\">\n<title>{2}</title>\n<rect class=\"et-page\" "
-      "fill=\"#ffffff\" "
+      "fill=\"{3}\" font-family=\"sans-serif\" font-size=\"{5}\">\n<title>{2}</title>\n<rect class=\"et-page\" "
+      "fill=\"{4}\" "
       "width=\"{0}\" height=\"{1}\"/>\n",
-      width, height, escape_xml(still.title));
-  draw_text(out, 24, 30, "start", " class=\"et-h\" fill=\"#111827\" font-size=\"16\" font-weight=\"600\"", still.title);
+      width, height, escape_xml(still.title), kText.light, kPage.light, kLabelSize);
+  const std::string heading =
+      fmt::format(" class=\"et-h\" fill=\"{}\" font-size=\"{}\" font-weight=\"600\"", kHeading.light, kTitleSize);
+  draw_text(out, 24, 30, "start", heading.c_str(), still.title);
   draw_text(out, 24, 50, "start", " class=\"et-s\"", still.subtitle);
   // The ground, North on it, and Up.
   out += polyline(view, circle({0, 0, 0}, up, 1.25), grey + " stroke-width=\"1\"", true);
@@ -103,7 +106,8 @@ std::string drawn(const TopStill& still, double width, double height) {
   if (const Vec earth = vector(still.earth_rate_L); earth.norm() > 0) {
     const Vec end = 1.35 * side * earth.normalized();
     out += polyline(view, {-0.25 * end, end},
-                    "fill=\"none\" class=\"et-frame\" stroke=\"#6b7280\" stroke-width=\"2\" stroke-dasharray=\"8 4\"");
+                    fmt::format("fill=\"none\" class=\"et-frame\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"",
+                                kMuted.light));
     label(out, view, end, 6, 0, "start", "the Earth's axis");
   }
   // The top: its stem, and its disc, which hides what is behind it.
@@ -111,7 +115,7 @@ std::string drawn(const TopStill& still, double width, double height) {
   out += polyline(view, {Vec(0, 0, 0), side * length * reference}, blue + " stroke-width=\"2.5\" stroke-dasharray=\"7 4\"");
   out += polyline(view, {Vec(0, 0, 0), place}, red + " stroke-width=\"3\"");
   out += polyline(view, circle(place, seen, 0.42),
-                  fmt::format("fill=\"#d6dbe3\" fill-opacity=\"0.9\" stroke=\"{}\" stroke-width=\"1.5\"", "#6b7280"), true);
+                  fmt::format("fill=\"#d6dbe3\" fill-opacity=\"0.9\" stroke=\"{}\" stroke-width=\"1.5\"", kMuted.light), true);
   out += polyline(view, {place, side * length * seen}, red + " stroke-width=\"3\"");
   const PlotPoint at = view.at(side * length * seen), other = view.at(side * length * reference);
   const bool is_left = at.x < other.x;

@@ -11,7 +11,7 @@
 
 namespace earthtop {
 
-/// What the chart is made of; each list has one number for each time.
+/// The numbers of the chart; each list has one number for each time.
 struct DriftCurves {
   std::string title, matching_rule;
   std::vector<double> t_s, axis_rad, tilt_rad;

@@ -17,7 +17,7 @@ struct Slow {
 };
 using Rates = Slow;
 
-/// What belongs to a tilt and a momentum: the rate of precession, the vertical momentum, the level momentum along the axis's azimuth,
+/// The numbers that belong to a tilt and a momentum: the rate of precession, the vertical momentum, the level momentum along the axis's azimuth,
 /// and their derivatives at constant S or u.
 struct Steady {
   double p, vertical, level, vertical_by_u, vertical_by_S, level_by_u;

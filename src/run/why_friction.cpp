@@ -82,18 +82,8 @@ void tell_balanced(Told& told) {
 }
 
 void tell_precessing(Told& told) {
-  const DriftRow& first = told.result.looks.front();
   const Release<double>& release = told.scene.release<double>();
-  const SlowTop top{told.I1,
-                    told.I3,
-                    told.mgl,
-                    told.I1,
-                    told.scene.model<double>().applied,
-                    told.W_L,
-                    first.ref_axis_L[2],
-                    real::atan2(first.ref_axis_L[1], first.ref_axis_L[0]),
-                    times(rotation_matrix(release.q_LB), release.w_XB_B),
-                    release.X == RatesRelativeTo::laboratory};
+  const SlowTop top = slow_top(told, told.I1, told.scene.model<double>().applied);
   const std::optional<SlowPrecession> slow = slow_precession(top, told.reached_s());
   if (!slow || !spin_agrees(told, release.w_XB_B[2], slow->last_spin_rad_s)) return;
   const std::string and_so = fmt::format("; the precession, {:.4g} rad/s at first, therefore quickens to {:.4g} rad/s.",
@@ -102,6 +92,21 @@ void tell_precessing(Told& told) {
 }
 
 }  // namespace
+
+SlowTop slow_top(const Told& told, double I1, const AppliedTorques<double>& applied) {
+  const DriftRow& first = told.result.looks.front();
+  const Release<double>& release = told.scene.release<double>();
+  return {I1,
+          told.I3,
+          told.mgl,
+          told.I1,
+          applied,
+          told.W_L,
+          first.ref_axis_L[2],
+          real::atan2(first.ref_axis_L[1], first.ref_axis_L[0]),
+          times(rotation_matrix(release.q_LB), release.w_XB_B),
+          release.X == RatesRelativeTo::laboratory};
+}
 
 std::optional<AveragedDrift> averaged_drift(const RunResult& result, double period_s) {
   constexpr double kPeriods = 3;

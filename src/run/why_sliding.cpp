@@ -35,19 +35,8 @@ std::optional<double> reference_turned(const Told& told) {
 /// of mass.
 void tell_frictionless(Told& told) {
   const Body<double>& body = told.scene.body<double>();
-  const Release<double>& release = told.scene.release<double>();
-  const DriftRow& first = told.result.looks.front();
   const double length = body.p_PBcm_B[2];
-  const SlowTop top{told.I1 - body.mass * length * length,
-                    told.I3,
-                    told.mgl,
-                    told.I1,
-                    {},
-                    told.W_L,
-                    first.ref_axis_L[2],
-                    real::atan2(first.ref_axis_L[1], first.ref_axis_L[0]),
-                    times(rotation_matrix(release.q_LB), release.w_XB_B),
-                    release.X == RatesRelativeTo::laboratory};
+  const SlowTop top = slow_top(told, told.I1 - body.mass * length * length, {});
   const std::optional<SlowPrecession> slow = slow_precession(top, told.reached_s());
   const std::optional<double> turned = reference_turned(told);
   constexpr double kAgree = 0.02;

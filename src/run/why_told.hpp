@@ -118,6 +118,10 @@ struct AveragedDrift {
 };
 std::optional<AveragedDrift> averaged_drift(const RunResult& result, double period_s);
 
+/// The top of a run, released as its non-rotating prediction was.
+/// @param I1  the moment across the axis about the point round which the top precesses (kg m^2)
+SlowTop slow_top(const Told& told, double I1, const AppliedTorques<double>& applied);
+
 /// Tells the azimuth's drift in slow precession, where theory applies and agrees with the run.
 /// @param slow  to the end of the run   @param tell_cause  tells what acts besides
 template <class TellCause>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a reader sees of a run's page without scrolling, on a desk and on a phone: what drifts, by how much, and how sure that is, in
+"""The first screen of a run's page, which a reader sees without scrolling, on a desk and on a phone: what drifts, by how much, and how sure that is, in
 words that agree with summary.json."""
 
 import math

@@ -48,7 +48,8 @@ def journey(tool):
     summary = json.loads((page.parent / "summary.json").read_text(encoding="utf-8"))
     drift = summary["drift"]["axis_final_rad"]
     said = float(re.search(r"([-+0-9.e]+) ± [0-9.e-]+ rad", printed).group(1))
-    expect(abs(said - drift) <= 1e-11 * drift, f"the printout says {said}, the summary {drift}")
+    expect(abs(said - drift) <= 1e-11 * drift,  # thirteen digits are printed
+            f"the printout says {said}, the summary {drift}")
     expect(seconds <= MOST_SECONDS or "--sanitized" in sys.argv, f"{seconds:.2f} s of processor time, more than {MOST_SECONDS} s")
     print(f"three commands to a page: {seconds:.2f} s of processor time")
     return page

@@ -138,7 +138,7 @@ std::size_t place_of(const std::string& html, const std::string& element) {
   return place;
 }
 
-// What was found, the top, the drift, why; the rest is folded.
+// The finding, the top, the drift and why are open; the rest is folded.
 TEST(Report, WhatWasFoundComesBeforeTheProtocol) {
   const TemporaryDirectory dir;
   write_results(run(short_top("A top")), dir.path() / "run", false);
@@ -163,7 +163,7 @@ TEST(Report, WhatWasFoundComesBeforeTheProtocol) {
               run(short_top("A top")).drift.axis_final_rad * 648000 / 3.141592653589793, 1e-5);
 }
 
-// No curve stands in two charts.
+// Each curve stands in one chart only.
 TEST(Report, EachCurveIsDrawnOnce) {
   const TemporaryDirectory dir;
   for (const char* name : {"toy-top", "tippe-top", "foucault-pendulum"}) {

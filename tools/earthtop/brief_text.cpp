@@ -19,7 +19,7 @@
 namespace earthtop::tool {
 namespace {
 
-/// What the verdict follows, in words, how far it drifts and with which bound.
+/// The quantity that the verdict follows, in words, its drift and the bound.
 struct Headline {
   std::string what;
   double drift_rad, bound_rad;
@@ -55,7 +55,7 @@ std::string drift_sentences(const RunResult& result, const TextPage& page) {
 
 std::size_t lines_of(std::string_view text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
 
-/// What a run says in entries that may be left out, the first ones last: what happens on a table, and why the drift is what it is.
+/// The entries that may be left out, the last ones first: events on a table, and why the drift is what it is.
 std::vector<std::string> optional_entries(const RunResult& result, const Screen& screen) {
   std::vector<std::string> entries;
   const auto add = [&](std::string_view label, const std::string& text) {

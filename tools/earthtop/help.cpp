@@ -16,7 +16,11 @@ namespace earthtop::tool {
 
 Verb describe_help(const Verb& program, const std::vector<std::string>& names) {
   std::vector<std::string> completed = names;
-  for (const Topic& topic : topics()) completed.emplace_back(topic.name);
+  std::string listed;
+  for (const Topic& topic : topics()) {
+    completed.emplace_back(topic.name);
+    listed += (listed.empty() ? "" : ", ") + std::string(topic.name);
+  }
   auto words = std::make_shared<std::vector<std::string>>();
   Verb help("help", "print the help of the program or of a verb, or explain a topic", [&program, words] {
     const auto topic =
@@ -27,8 +31,7 @@ Verb describe_help(const Verb& program, const std::vector<std::string>& names) {
       print(help_text(find_verb(program, *words), output_screen().width));
     return kDone;
   });
-  help.add("WORD", words.get(),
-           "the verb, or a verb and one below it; or a topic: verdicts, frames, units, glossary; without one, the program")
+  help.add("WORD", words.get(), "the verb, or a verb and one below it; or a topic: " + listed + "; without one, the program")
       .completed_to(std::move(completed));
   help.describe(
       "Prints what --help prints: operands, options, examples and exit statuses; the manual says the same. Of a topic it "

@@ -11,7 +11,7 @@
 
 namespace earthtop::tool {
 
-/// What the help says of such an operand.
+/// The help says this of such an operand.
 inline constexpr std::string_view kScenarioOperand =
     "scenario file (JSON), or the name of a scenario that comes with the program; - is standard input";
 

@@ -25,7 +25,7 @@ struct Written {
 std::string summary_text(const RunResult& result, const Written& where, bool changed, const Screen& screen,
                          std::string_view picture = "");
 
-/// What drifts, how surely that is known, why, and what to do next: as a screen of 24 lines shows it, of explanations as many as fit.
+/// The short text says what drifts, how surely that is known, why, and what to do next: as a screen of 24 lines shows it, of explanations as many as fit.
 /// Nothing that warns is left out. The arguments are those of summary_text.
 std::string brief_text(const RunResult& result, const Written& where, bool changed, const Screen& screen,
                        std::string_view picture = "");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What `earthtop help TOPIC` explains: tables of the manuals.
+/// The tables of the manuals that `earthtop help TOPIC` prints.
 #pragma once
 
 #include <cstddef>

@@ -288,7 +288,7 @@ function paintTop(pen, project, eye, scene) {
     const [x, y] = put(tip);
     ink.write(name, x + 4, y);
   }
-  // What is drawn of a ball that rolls is about its centre.
+  // A ball that rolls is drawn about its centre.
   const raised = (tip) => (shape.rolls ? combine(1, tip, shape.radius, [0, 0, 1]) : tip);
   ink.place = raised(scene.refTip);
   if (scene.cone.length > 2) paintCone(ink, shape, scene.cone);

@@ -62,7 +62,7 @@ DRIFT = [
     page("First-order theory: 5.2", set={"/motion/duration_s": 1}),
     page("After 1 s the axis stands 2.04635",
          set={"/motion/duration_s": 1}, holds=lambda text: "from where the non-rotating prediction puts it. Both predictions" in text),
-    # What was found: in words, as a length, beside the Sun's disc, and how sure that is.
+    # The finding: in words, as a length, beside the Sun's disc, and how sure that is.
     page(["In a second the Earth turns this top's axis 2.046 arcseconds off course", "This number can be trusted: ± ",
           "Its centre of mass, 30 mm from the pivot, stands 297.6 nm from where it would be if the Earth did not turn; the angle is about "
           "1/940 of the width of the Sun's disc."], set={"/motion/duration_s": 1}),

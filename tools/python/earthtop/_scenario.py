@@ -5,10 +5,8 @@ from __future__ import annotations
 
 import copy
 import difflib
-import functools
 import json
 import os
-import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union
