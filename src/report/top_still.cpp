@@ -75,9 +75,9 @@ std::string drawn(const TopStill& still, double width, double height) {
   const View view(width, height - top, still.hangs ? top + 0.32 * (height - top) : top + 0.7 * (height - top));
   const Vec reference = vector(still.ref_axis_L), axis = vector(still.axis_L), up(0, 0, 1);
   const Vec turn = reference.cross(axis);
-  const double apart = angle_between(reference, axis);
-  const Vec seen =
-      turn.norm() > 0 ? Vec(Eigen::AngleAxisd(std::min(apart * factor, kSeen_rad), turn.normalized()) * reference) : reference;
+  const double apart = angle_between(reference, axis), shown = std::min(apart * factor, kSeen_rad);
+  const Vec across = turn.cross(reference).normalized();  // the null vector stays what it is
+  const Vec seen = real::cos(shown) * reference + real::sin(shown) * across;
   const double side = still.hangs ? -1 : 1, length = 1.15;
   const std::string blue = fmt::format("fill=\"none\" stroke=\"{}\"", hex(LineColor::blue)),
                     red = fmt::format("fill=\"none\" stroke=\"{}\"", hex(LineColor::vermillion)),

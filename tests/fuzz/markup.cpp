@@ -24,7 +24,7 @@ constexpr std::string_view kAttributes =
     "letter-spacing markerHeight markerWidth max min name offset opacity orient points preserveAspectRatio r refX refY rel "
     "role "
     "rx ry scope step stop-color stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width "
-    "tabindex text-anchor transform type value viewBox width x x1 x2 xmlns y y1 y2 font-style hidden ";
+    "tabindex text-anchor title transform type value viewBox width x x1 x2 xmlns y y1 y2 font-style hidden ";
 constexpr std::string_view kEntities[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
 
 bool is_one_of(std::string_view name, std::string_view names) {

@@ -320,8 +320,8 @@ TEST(Plan, RefusalsSayWhatInstead) {
   refused(with(same, {design_input("/release/tilt_deg=1:200")}), "a limit is not possible");
   refused(with(same, {design_input("/release/tilt_deg=1:2"), design_input("/release/tilt_deg=1:3")}), "given twice");
   refused(with(same, {design_input("/platform/rate_rad_s=1:2")}), "");
-  for (const char* text : {"", "/a", "/release/tilt_deg=5", "/release/tilt_deg=5:", "release/tilt_deg=5:6",
-                           "/release/tilt_deg=a:b", "/release/tilt_deg=1:inf", "/release/tilt_deg=5:6:7"})
+  for (const char* text : {"", "/a", "/release/tilt_deg=5", "/release/tilt_deg=5:", "/release/tilt_deg=a:b",
+                           "/release/tilt_deg=1:inf", "/release/tilt_deg=5:6:7"})
     refused([&] { design_input(text); }, "LOW:HIGH");
   refused([] { design_input("/release/tilt_deg=6:5"); }, "below the second");
   const Overrides one_step = {{"/numerics", R"({"method": "gauss", "step_s": 1})"}, {"/motion/output_step_s", "1"}};
