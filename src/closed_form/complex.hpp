@@ -22,6 +22,10 @@ Complex<T> conj(const Complex<T>& a) {
   return {a.re, -a.im};
 }
 template <class T>
+Complex<T> times_i(const Complex<T>& a) {
+  return {-a.im, a.re};
+}
+template <class T>
 T norm2(const Complex<T>& a) {
   return a.re * a.re + a.im * a.im;
 }

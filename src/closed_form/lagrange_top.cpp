@@ -181,10 +181,19 @@ struct LagrangeTop<T>::Derivation {
                  v_rate * ((low_slope.whole - high_slope.whole) - (low_slope.missing - high_slope.missing));
     top.sum_rate_ = split<Split>(sum / W(2));
     top.difference_rate_ = split<Split>((w3 + up * difference) / W(2));
-    if (!l.hyperbolic) return;
-    const W low_turn = low.sign * low.eta, high_turn = high.sign * high.eta;
-    top.sum_turn_ = split<Split>(-(low_turn + high_turn));
-    top.difference_turn_ = split<Split>(-up * (low_turn - high_turn));
+    W sum_turn = W(0), difference_turn = W(0);
+    if (l.hyperbolic) {
+      const W low_turn = low.sign * low.eta, high_turn = high.sign * high.eta;
+      sum_turn = -(low_turn + high_turn);
+      difference_turn = -up * (low_turn - high_turn);
+      top.sum_turn_ = split<Split>(sum_turn);
+      top.difference_turn_ = split<Split>(difference_turn);
+    }
+    const W periods = v_rate / (l.hyperbolic ? W(2) * l.span : real::pi<W>());  // of the nutation, in a unit of time
+    const W half_sum = sum / W(2) + periods * sum_turn,
+            half_difference = (w3 + up * difference) / W(2) + periods * difference_turn;
+    top.secular_ = {split<PhaseRate<T>>(W(2) * real::pi<W>() * periods), split<PhaseRate<T>>(half_sum + half_difference),
+                    split<PhaseRate<T>>(half_sum - half_difference)};
   }
 
   /// The size of each quotient is set at the turning point where it is largest.
@@ -345,6 +354,11 @@ ClosedFormState<T> LagrangeTop<T>::at(T t) const {
   state.attitude_error = std::min(attitude_floor_ + phase_loss_ * real::abs(t) + set_up, real::pi<T>());
   state.rate_error = rate_floor_ + across * (state.attitude_error + rate_turn_) + set_up_rate;
   return state;
+}
+
+template <class T>
+SecularPhases<T> LagrangeTop<T>::secular_phases() const {
+  return secular_;
 }
 
 template <class T>

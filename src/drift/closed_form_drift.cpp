@@ -6,10 +6,8 @@
 #include <optional>
 
 #include "drift/deviation_state.hpp"
+#include "drift/drift_at_any_time.hpp"
 #include "drift/rate_change.hpp"
-#include "drift/release_rates.hpp"
-#include "drift/watch/angle_follower.hpp"
-#include "drift/watch/threshold_watch.hpp"
 #include "integrate/closed_form_motion.hpp"
 #include "integrate/natural_times.hpp"
 
@@ -51,10 +49,13 @@ class ExactPair {
     if (followed_rotating_) followed_rotating_->advance(t);
   }
   /// The time in which both motions and the laboratory together turn by about a radian.
-  double longest_step() const {
+  double radian_time() const {
     const double of_rotating = followed_rotating_ ? followed_rotating_->turn_rate() : 0;
     return 1 / (followed_reference_.turn_rate() + of_rotating + static_cast<double>(norm(problem_.model.W_IL_L)));
   }
+
+  double longest_step() const { return radian_time(); }
+  double watch_step() const { return radian_time(); }
 
   /// The deviation at the time followed to, only roughly: from attitudes in double.
   DriftState<double> followed_state(double t) const {
@@ -157,64 +158,13 @@ class ExactPair {
   T attitude_error_ = T(0), deviation_error_ = T(0);
 };
 
-/// Looks at the drift at any time; a formula needs no steps to get there.
-template <class T>
-class LooksAtPair {
- public:
-  explicit LooksAtPair(ExactPair<T>& pair)
-      : pair_(pair), apart_(T(real::cbrt(static_cast<double>(real::epsilon<T>())) * pair.longest_step())) {}
-  AxisDriftSample<T> operator()(T t) {
-    const T before = std::max(T(0), T(t - apart_)), after = t + apart_;
-    const DriftState<T> at = pair_.state(t), at_before = pair_.state(before), at_after = pair_.state(after);
-    return axis_look(t, at, at_before, at_after, T(after - before));
-  }
-
- private:
-  ExactPair<T>& pair_;
-  T apart_;
-};
-
 }  // namespace
 
 template <class T>
 DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   const std::vector<T> times = natural_times(problem);
-  const std::vector<double> seen(times.begin(), times.end());
   ExactPair<T> pair(problem, times);
-  AngleFollower angles(pair);
-  DriftTrajectory<T> trajectory;
-  trajectory.samples.reserve(times.size());
-  std::optional<ThresholdWatch<T>> threshold;
-  if (problem.threshold_rad)
-    threshold.emplace(T(*problem.threshold_rad), std::max(problem.fastest_rate, T(1 / pair.longest_step())));
-  LooksAtPair<T> look_at(pair);
-  const auto visit = [&](double t, std::int64_t row) {
-    ++trajectory.counters.accepted;
-    ++trajectory.counters.evaluations;
-    angles.follow_to(t);
-    const T exact_t = row < 0 ? T(t) : times[static_cast<std::size_t>(row)];
-    if (threshold && !threshold->done())
-      threshold->follow(threshold->has_passed() ? axis_look(exact_t, pair.state(exact_t)) : look_at(exact_t), look_at);
-    if (row < 0) return;
-    const DriftState<T> state = pair.state(exact_t);
-    const DriftMeasures<T> measures = measure_drift(state);
-    angles.settle(drift_phases(state));
-    DriftSample<T> sample;
-    sample.state = state, sample.measures = measures;
-    sample.spin = T(2) * (measures.half_spin + T(angles.half_spin_offset()));
-    sample.azimuth = measures.azimuth + T(angles.azimuth_offset());
-    sample.attitude_error = pair.attitude_error(exact_t);
-    sample.drift_error = pair.drift_error(measures.attitude);
-    sample.rotor = pair.rotor(exact_t, state);
-    sample.state.t_s = T(problem.times_s[static_cast<std::size_t>(row)]);
-    for (Vec3<T>* rate : {&sample.state.w_LB_B, &sample.state.ref_w_LB_B})
-      for (int i = 0; i < 3; ++i) (*rate)[i] = problem.units.rate_to_rad_s((*rate)[i]);
-    if (row == 0) set_release_rates(problem, sample.state);
-    trajectory.samples.push_back(sample);
-  };
-  trajectory.status = visit_times(seen, pair.longest_step(), options.step_limit, watch, visit);
-  if (threshold) trajectory.threshold = threshold->record().in_seconds(problem.units.time_exponent);
-  return trajectory;
+  return drift_at_any_time(pair, problem, times, options, watch);
 }
 template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,

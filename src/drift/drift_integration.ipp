@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drift/closed_form_drift.hpp"
+#include "drift/fourier_drift.hpp"
 #include "drift/gimbals/gimbal_watch.hpp"
 #include "drift/integrate_system.hpp"
 #include "drift/long_horizon/long_horizon_drift.hpp"
@@ -65,6 +66,7 @@ template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   if (problem.table) return integrate_contact(problem, options, watch);
   if (options.method == Method::closed_form) return closed_form_drift(problem, options, watch);
+  if (options.method == Method::fourier) return fourier_drift(problem, options, watch);
   if (options.method == Method::long_horizon) {
     if constexpr (std::is_same_v<T, double>)
       return long_horizon_drift(problem, options, watch);

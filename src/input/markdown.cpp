@@ -19,7 +19,7 @@ std::string cell(std::string_view text) {
 std::string value_text(const Field& field) {
   if (field.kind == FieldKind::anything) return "as its meaning says";
   const auto words = split_words(field.words);
-  return words.size() > 12 ? fmt::format("one of {} names", words.size()) : cell(allowed_values(field));
+  return words.size() > 13 ? fmt::format("one of {} names", words.size()) : cell(allowed_values(field));
 }
 
 std::string default_text(const Field& field) {

@@ -6,6 +6,7 @@
 
 #include "integrate/closed_form_motion.hpp"
 #include "integrate/driven_axis_motion.hpp"
+#include "integrate/fourier/fourier_motion.hpp"
 #include "integrate/long_horizon_motion.hpp"
 #include "integrate/motion_system.hpp"
 
@@ -54,6 +55,7 @@ template <class T>
 MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, MotionSought sought,
                                      const Watch& watch) {
   if (options.method == Method::closed_form) return closed_form_motion(problem, options, watch);
+  if (options.method == Method::fourier) return fourier_motion(problem, watch);
   if (options.method == Method::long_horizon) {
     if constexpr (std::is_same_v<T, double>)
       return long_horizon_motion(problem, options, watch);

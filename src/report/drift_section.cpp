@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "earthtop/drift/drift.hpp"
+#include "earthtop/integrate/method.hpp"
 #include "report/drift_chart.hpp"
 #include "report/known_html.hpp"
 
@@ -34,7 +35,9 @@ std::string trend_of(const Run& run) {
   if (rate && bound) {
     html = fmt::format("<p>Trend: the azimuth drifts by {}, counted clockwise from above", known_html(*rate, *bound, "rad/s"));
     if (const auto turns = run.number("/drift/secular/turns_seen"))
-      html += fmt::format(", over {} turns of precession; ± is the 95 % bound", number_html(*turns, "", 3));
+      html += run.word("/solution/method") == to_string(Method::fourier)
+                  ? std::string(", for all time, as the rates of the motions' Fourier sums tell; ± is a bound")
+                  : fmt::format(", over {} turns of precession; ± is the 95 % bound", number_html(*turns, "", 3));
     else
       html += ": the mean of the run and no more, as " + word_of("/drift/secular/reason");
     html += ".</p>\n";

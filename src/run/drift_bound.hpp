@@ -134,7 +134,7 @@ template <class T>
 Nudged nudged_for(const DriftProblem<T>& problem, const IntegrationOptions& first) {
   if (problem.table || first.method == Method::long_horizon) return Nudged::whole;
   const bool by_components =
-      first.method == Method::closed_form || first.observer == Observer::body || takes_reduced_form(problem.model, first);
+      is_exact(first.method) || first.observer == Observer::body || takes_reduced_form(problem.model, first);
   return by_components ? Nudged::components : Nudged::whole;
 }
 

@@ -120,8 +120,8 @@ RunResult run_in(const Scene& whole, const RunOptions& run_options) {
       made.other_options = *looser;
       integrate_second();
     }
-  // The error that long_horizon states is the part that a second integration by itself would not see. A series sees all of it.
-  if (made.options.method == Method::long_horizon && made.other_options.method == Method::taylor)
+  // The error that long_horizon states is the part that a second integration by itself would not see. Another method sees all of it.
+  if (made.options.method == Method::long_horizon && made.other_options.method != Method::long_horizon)
     for (DriftSample<T>& sample : made.first.samples) sample.drift_error = sample.attitude_error = T(0);
   return assemble_result(scene, std::move(made), seconds, parts, run_options);
 }
@@ -142,7 +142,8 @@ RunResult run_once(const Scene& scene, const RunOptions& options) {
 std::optional<Method> other_method(Method chosen) {
   switch (chosen) {
     case Method::long_horizon:
-    case Method::closed_form: return Method::taylor;
+    case Method::closed_form:
+    case Method::fourier: return Method::taylor;
     case Method::taylor: return Method::dop853;
     case Method::dop853: return Method::extrapolation;
     default: return std::nullopt;
@@ -155,7 +156,7 @@ bool is_worth_another(const RunResult& result) {
   if (const DriftRow* row = last_reliable_row(result); row != nullptr && row->t_s > 0) return false;
   const Method chosen = result.solution.method;
   // A drift below the noise of a series is below that of its neighbours, too; the bounds of the other two are wider.
-  const bool is_wide = chosen == Method::long_horizon || chosen == Method::closed_form;
+  const bool is_wide = chosen == Method::long_horizon || is_exact(chosen);
   return result.status != RunStatus::completed || (is_wide && result.verdict.verdict == Verdict::noise_floor);
 }
 

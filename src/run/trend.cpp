@@ -160,6 +160,11 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
   trend.of_window = true;
 }
 
+/// Whether the run's own Fourier sums tell the secular rate.
+bool is_known_from_sums(const Scene& scene) {
+  return scene.choice().options.method == Method::fourier && scene.fourier_outlook().has_azimuth_rate;
+}
+
 }  // namespace
 
 TrendPlan plan_trend(const Scene& scene) {
@@ -184,6 +189,7 @@ TrendPlan plan_trend(const Scene& scene) {
     }
     plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
     const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
+    if (is_known_from_sums(scene)) return plan;
     if (turns < 1) return plan;
     // A tilt that is not a simple sine has many multiples of its frequency, all of which must be seen.
     constexpr int kSimple = 32;
@@ -223,6 +229,12 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     return trend;
   };
   trend.window_s = {0, until};
+  if (const Scene& scene = result.modelled; plan.frequencies && is_known_from_sums(scene)) {
+    trend.turns_seen = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn;
+    trend.azimuth_rate_rad_s = scene.fourier_outlook().azimuth_rate_rad_s;
+    trend.azimuth_rate_bound_95_rad_s = scene.fourier_outlook().azimuth_rate_bound_rad_s;
+    return trend;
+  }
   if (plan.frequencies)
     if (const double turns = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn; turns < 1)
       return under_one_turn(turns);

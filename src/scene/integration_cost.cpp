@@ -54,6 +54,21 @@ bool is_long_horizon(const Scene& scene, const IntegrationOptions& options) {
   return options.method == Method::long_horizon && !scene.method_refusal(options.method);
 }
 
+/// Returns the time of finding the Fourier sums and of so many looks by them (s).
+double seconds_of_sums(const Scene& scene, double looks) {
+  constexpr double kSecondsALook = 1.5e-6;  // AMD EPYC, 28 November 2026
+  return slowness(scene.scenario().precision, true) * (scene.fourier_outlook().set_up_s + kSecondsALook * looks);
+}
+
+/// Returns the cost of the Fourier sums: a look at each row and wherever an angle may go round.
+IntegrationCost fourier_cost(const Scene& scene) {
+  IntegrationCost cost;
+  const double looks = scene.rows() + scene.scenario().duration_s / scene.fourier_outlook().longest_step_s;
+  cost.work = {looks, looks};
+  cost.seconds = seconds_of_sums(scene, looks);
+  return cost;
+}
+
 /// Returns the cost of the long-horizon method, in sets-up of its closed form and in looks between the rows.
 IntegrationCost long_horizon_cost(const Scene& scene, const IntegrationOptions& options, double looks) {
   // Between the parts of a kick that is spread over the nutation, the closed form is set up in double.
@@ -108,6 +123,8 @@ IntegrationCost cost_of(const Scene& scene, const IntegrationOptions& options) {
   const bool closed_form = options.method == Method::closed_form;
   if (closed_form)
     cost.work = work_of_closed_form(scene);
+  else if (options.method == Method::fourier && !scene.method_refusal(options.method))
+    return fourier_cost(scene);
   else if (is_long_horizon(scene, options))
     return long_horizon_cost(scene, options, judgement_looks(options.method));
   else
@@ -139,6 +156,7 @@ double picture_looks(const Scene& scene) {
 
 double seconds_looking(const Scene& scene, const IntegrationOptions& first) {
   const double looks = picture_looks(scene);
+  if (first.method == Method::fourier && !scene.method_refusal(first.method)) return seconds_of_sums(scene, looks);
   const double asides = is_long_horizon(scene, first) ? asides_in(scene, first) : 0;
   const IntegrationOptions options = options_for_looks(scene, first, looks, asides);
   return is_long_horizon(scene, options) ? seconds_looking_far(scene, options, looks, asides) : cost_of(scene, options).seconds;

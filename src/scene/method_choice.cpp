@@ -49,6 +49,17 @@ bool has_long_horizon(const Scene& given) {
          kGain * (seconds_with(scene, options) + seconds_looking(scene, options)) < seconds_with(scene, with_taylor(scene));
 }
 
+/// Returns whether Fourier sums pay: found and evaluated, for the rows and for looks between them, in a part of the time of `other`. They
+/// are only sought where that is long enough to be noticed: most of a short run's time is not that of its integrations.
+bool has_fourier_sums(const Scene& scene, const IntegrationOptions& other) {
+  constexpr double kGain = 2, kNoticed_s = 0.06;
+  const double seconds = seconds_with(scene, other) + seconds_looking(scene, other);
+  if (!(seconds > kNoticed_s) || scene.method_refusal(Method::fourier)) return false;
+  IntegrationOptions options = scene.scenario().numerics;
+  options.method = Method::fourier;
+  return kGain * (seconds_with(scene, options) + seconds_looking(scene, options)) < seconds;
+}
+
 }  // namespace
 
 bool has_cheap_closed_form(const Scene& scene) { return scene.is_one_motion() && !scene.method_refusal(Method::closed_form); }
@@ -85,11 +96,16 @@ MethodChoice PivotLaws::choose_method(const Scene& scene) const {
     options.method = Method::closed_form;
     return {options, "the motion is known in closed form"};
   }
-  if (has_long_horizon(scene)) {
+  const bool steps_over = has_long_horizon(scene);
+  IntegrationOptions over = asked;
+  over.method = Method::long_horizon;
+  if (asked.observer == Observer::laboratory && scene.symmetry_axis() == 2 && scene.is_plain() &&
+      has_fourier_sums(scene, steps_over ? over : with_taylor(scene))) {
     IntegrationOptions options = asked;
-    options.method = Method::long_horizon;
-    return {options, "a fast symmetric top over many nutations: exact flows step over them"};
+    options.method = Method::fourier;
+    return {options, "a heavy symmetric top over many turns: its two motions are Fourier sums, which need no steps"};
   }
+  if (steps_over) return {over, "a fast symmetric top over many nutations: exact flows step over them"};
   if (asked.observer == Observer::laboratory && scene.form(with_taylor(scene)) == ModelForm::reduced)
     return {with_taylor(scene), "a symmetric top, integrated without its spin: Taylor series take the fewest operations"};
   IntegrationOptions options = with_taylor(scene);

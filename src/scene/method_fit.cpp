@@ -9,6 +9,7 @@
 #include "earthtop/model/reduced_torques.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/support.hpp"
+#include "integrate/fourier/fourier_top.hpp"
 #include "scene/support_laws.hpp"
 
 namespace earthtop {
@@ -88,10 +89,8 @@ bool spins_fast(const Scene& scene) {
   return 2 * scene.gravity_torque_N_m() * inertia(0, 0) <= momentum * momentum;
 }
 
-/// Refuses a scene that the long-horizon method cannot integrate. The method uses the variables of a symmetric top's closed
-/// form in laboratory axes. It extrapolates a small drift from runs at amplified Earth rates, by a cubic in the rate; for a
-/// slow top the drift is not cubic in the rate.
-std::optional<std::string> need_fast_symmetric_top(std::string_view word, const Scene& scene) {
+/// Refuses a scene whose top is not symmetric about body axis 3, or that asks for other variables than those of such a top's closed form.
+std::optional<std::string> need_own_variables(std::string_view word, const Scene& scene) {
   if (auto reason = need_plain_scene(word, scene)) return reason;
   const std::string what = quoted(word) + ' ';
   if (scene.symmetry_axis() != 2)
@@ -100,11 +99,27 @@ std::optional<std::string> need_fast_symmetric_top(std::string_view word, const 
            "on the axis); take \"auto\"";
   if (scene.scenario().numerics.observer != Observer::laboratory || scene.scenario().numerics.form != ModelForm::automatic)
     return what + "has its own variables, in laboratory axes; leave observer and model out, or take \"auto\"";
+  return std::nullopt;
+}
+
+/// Refuses a scene that the long-horizon method cannot integrate. The method uses the variables of a symmetric top's closed
+/// form in laboratory axes. It extrapolates a small drift from runs at amplified Earth rates, by a cubic in the rate; for a
+/// slow top the drift is not cubic in the rate.
+std::optional<std::string> need_fast_symmetric_top(std::string_view word, const Scene& scene) {
+  if (auto reason = need_own_variables(word, scene)) return reason;
   if (!spins_fast(scene))
-    return what +
-           "works only for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
+    return quoted(word) +
+           " works only for fast tops, with (I3 w3)^2 of at least 2 m g l I1, whose nutation is fast and small; "
            "take \"auto\", or a faster spin";
   return std::nullopt;
+}
+
+/// Refuses a scene whose motion on the rotating Earth has no Fourier sum that can be found: only trying shows it.
+std::optional<std::string> need_nutating_top(std::string_view word, const Scene& scene) {
+  if (auto reason = need_own_variables(word, scene)) return reason;
+  const std::string& refusal = scene.fourier_outlook().refusal;
+  if (refusal.empty()) return std::nullopt;
+  return fmt::format("{} finds no Fourier sums here: {}; take \"auto\"", quoted(word), refusal);
 }
 
 }  // namespace
@@ -124,6 +139,26 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
   return quoted(row.word) +
          " has no series where dry friction, quadratic drag or a disc's drag brakes a rate to zero; it works for symmetric "
          "tops that keep most of their spin; take \"auto\"";
+}
+
+FourierOutlook fourier_outlook_of(const Scene& scene) {
+  const DriftProblem<double>& problem = scene.problem_without_rows<double>();
+  const FourierTop<double> top(problem.model, problem.natural_release());
+  FourierOutlook outlook;
+  outlook.refusal = top.refusal();
+  if (!outlook.refusal.empty()) return outlook;
+  constexpr double kFixed_s = 3e-4, kAPoint_s = 7e-7;  // AMD EPYC, 28 November 2026; points of the grid in each pass
+  const RotatingTorus<double>& torus = *top.torus();
+  const double points = static_cast<double>(torus.nutation_points() * torus.precession_points());
+  outlook.set_up_s = kFixed_s + kAPoint_s * points * static_cast<double>(torus.changes().size());
+  outlook.longest_step_s = real::scale(top.longest_step(), problem.units.time_exponent);
+  if (const std::optional<double> turning = top.turning_change()) {
+    // The compass counts clockwise.
+    outlook.has_azimuth_rate = true;
+    outlook.azimuth_rate_rad_s = problem.units.rate_to_rad_s(-problem.model.epsilon * *turning);
+    outlook.azimuth_rate_bound_rad_s = problem.units.rate_to_rad_s(problem.model.epsilon * top.turning_error());
+  }
+  return outlook;
 }
 
 ExactKind closed_form_of(const Scene& scene) {
@@ -148,6 +183,7 @@ std::optional<std::string> refuse_method(Method method, const Scene& scene) {
     case MethodFit::symmetric_top: return need_splittable_scene(row.word, scene);
     case MethodFit::fast_symmetric_top: return need_fast_symmetric_top(row.word, scene);
     case MethodFit::closed_form: return need_closed_form(row.word, scene);
+    case MethodFit::nutating_top: return need_nutating_top(row.word, scene);
   }
   return std::nullopt;
 }

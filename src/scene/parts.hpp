@@ -42,6 +42,9 @@ extern template DriftProblem<double> problem_of(const Scene&);
 extern template DriftProblem<long double> problem_of(const Scene&);
 extern template DriftProblem<float128> problem_of(const Scene&);
 
+// method_fit.cpp. The scene must be plain, and its top symmetric about body axis 3.
+FourierOutlook fourier_outlook_of(const Scene& scene);
+
 // top_figures.cpp: the figures of the body and of its motion without Earth rotation.
 TopFigures top_figures_of(const Scene& scene);
 /// The constants of the motion of a top that is symmetric about body axis 3, to 113 bits.

@@ -53,6 +53,7 @@ struct Scene::Parts {
   Once<Paced> paced;
   Once<Pace> pace;
   Once<ExactKind> closed_form_kind;
+  Once<FourierOutlook> fourier_outlook;
   std::array<Once<std::optional<std::string>>, kMethodCount> refusals;
   Once<MethodChoice> choice;
   Once<std::array<IntegrationCost, 2>> costs;
@@ -177,6 +178,10 @@ const StiffFriction& Scene::stiffest_friction() const {
 }
 ExactKind Scene::closed_form_kind() const {
   return parts_->closed_form_kind.get([this] { return closed_form_of(*this); });
+}
+
+const FourierOutlook& Scene::fourier_outlook() const {
+  return parts_->fourier_outlook.get([this] { return fourier_outlook_of(*this); });
 }
 
 const std::optional<std::string>& Scene::method_refusal(Method method) const {

@@ -14,14 +14,16 @@ IntegrationOptions second_options(const Scene& scene, const IntegrationOptions& 
   return laws_of(scene).second_options(scene, first, second);
 }
 
-IntegrationOptions PivotLaws::second_options(const Scene& scene, const IntegrationOptions& first,
-                                             IntegrationOptions second) const {
+namespace {
+
+/// The second integration by steps.
+IntegrationOptions stepping_check(const Scene& scene, const IntegrationOptions& first, IntegrationOptions second) {
   const Scenario& scenario = scene.scenario();
   const Precision precision = scenario.precision;
   const Observer other =
       second.form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
-  if (first.method == Method::closed_form) return second;
+  if (is_exact(first.method)) return second;
   if (first.method == Method::taylor) {
     second.relative_tolerance = std::max(first.relative_tolerance / 1000, least_tolerance(precision));
     return second;
@@ -47,6 +49,21 @@ IntegrationOptions PivotLaws::second_options(const Scene& scene, const Integrati
     return scene.cost(series).seconds < std::max(least_s, scene.cost(itself).seconds) ? series : itself;
   }
   return second;
+}
+
+}  // namespace
+
+IntegrationOptions PivotLaws::second_options(const Scene& scene, const IntegrationOptions& first,
+                                             IntegrationOptions second) const {
+  const IntegrationOptions stepping = stepping_check(scene, first, second);
+  constexpr double kNoticed_s = 0.02, kGain = 2;
+  const bool may_have_sums = scene.is_plain() && scene.symmetry_axis() == 2 && scene.scenario().precision == Precision::bits53;
+  if (is_exact(first.method) || !may_have_sums) return stepping;
+  const double seconds = scene.cost(stepping).seconds;
+  if (!(seconds > kNoticed_s) || scene.method_refusal(Method::fourier)) return stepping;
+  IntegrationOptions sums = scene.scenario().numerics;
+  sums.method = Method::fourier;
+  return kGain * scene.cost(sums).seconds < seconds ? sums : stepping;
 }
 
 std::optional<IntegrationOptions> looser_second_options(const Scene& scene, const IntegrationOptions& first,

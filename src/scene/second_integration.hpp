@@ -32,6 +32,10 @@ namespace earthtop {
 /// rows. The tests, not the run, show that the formula is the motion: they compare it with integrations of every kind of scene
 /// that it fits.
 ///
+/// A plain symmetric top that any method steps through for longer than a moment is checked by fourier, where that takes less than half of
+/// the time: its sums have nothing in common with steps. fourier itself has no steps either. It checks itself, from the nudged scene, in other axes and on a finer grid: so the Fourier sums of the two
+/// have other coefficients. The tests compare them with integrations.
+///
 /// With dry friction that may stop a motion both integrations use body axes, in which a motion at rest can be held.
 ///
 /// Without one of [F]'s torques the second integration uses the laboratory's equations, by another method. Only there is the torque

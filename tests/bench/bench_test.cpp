@@ -315,7 +315,7 @@ TEST(Bench, WhatAutoTakesIsAmongTheContendersAndMarkedOnce) {
       EXPECT_FALSE(automatic->peer);
     }
   }
-  EXPECT_EQ(taken, (std::set<Method>{Method::taylor, Method::closed_form, Method::dop853, Method::long_horizon}));
+  EXPECT_EQ(taken, (std::set<Method>{Method::taylor, Method::closed_form, Method::dop853, Method::fourier}));
 }
 
 TEST(Bench, ContendersThatTakeTooLongAreStoppedAndSaySo) {

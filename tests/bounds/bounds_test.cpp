@@ -25,7 +25,7 @@ TEST(Bounds, HoldOverASampleOfAllStrata) {
       EXPECT_LE(coverage.used, 3);
       ++scenes, beyond += coverage.used > 1, close += coverage.close();
     }
-  EXPECT_EQ(scenes, 87);
+  EXPECT_EQ(scenes, 90);
   EXPECT_LE(beyond, 1);
   EXPECT_GE(close, scenes * 9 / 10);
 }

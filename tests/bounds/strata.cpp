@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "earthtop/model/body.hpp"
+#include "earthtop/scene/scene.hpp"
 #include "scenario/rules.hpp"
 
 namespace earthtop::testing {
@@ -198,6 +199,22 @@ Scenario long_horizon(Random& random) {
   return s;
 }
 
+/// Ratios of precession to nutation from 1e-5 to 0.5, tilts to a tenth of a degree from either vertical, let go or thrown sidewards. Those that
+/// have no Fourier sums are passed over.
+Scenario fourier_sums(Random& random) {
+  for (;;) {
+    Scenario s = symmetric_top(random);
+    if (random.coin()) s.rotation_rate_rad_s = random.log_uniform(1e-8, 1e-3);
+    const double tilt = random.log_uniform(0.1, 90);
+    s.release.tilt_deg = random.coin() ? tilt : 180 - tilt;
+    const double spin = random.sign() * std::min(1e5, numbers(s).critical_spin() * random.log_uniform(0.7, 150));
+    const double sidewards = random.coin() ? numbers(s).falling_rate() * random.log_uniform(1e-3, 1) : 0;
+    s.release.angular_velocity_body_rad_s = {sidewards * random.uniform(-1, 1), sidewards * random.uniform(-1, 1), spin};
+    s.numerics.method = Method::fourier;
+    if (!Scene(s).method_refusal()) return s;
+  }
+}
+
 Scenario in_long_double(Random& random) {
   Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
   if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = random.sign() * random.log_uniform(10, 1e3);
@@ -319,6 +336,7 @@ constexpr Stratum kStrata[] = {
     {"dry friction, asymmetric, held at rest", dry_asymmetric_held, true},
     {"dry friction, asymmetric", dry_asymmetric, true},
     {"torques left out", torques_left_out, true},
+    {"Fourier sums", fourier_sums},
 };
 
 /// A random one of the methods that a user may name for this scene.

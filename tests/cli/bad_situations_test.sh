@@ -217,12 +217,12 @@ stopped() {
   [ "$status" -eq "$wanted" ] || fault "SIG$signal after $delay s: exit status $status, not $wanted"
 }
 for delay in 0.02 0.2; do
-  stopped 130 INT "$delay" run long.json --out stopped/deep
-  stopped 143 TERM "$delay" run long.json --out stopped/deep
+  stopped 130 INT "$delay" run long.json --set method=taylor --out stopped/deep
+  stopped 143 TERM "$delay" run long.json --set method=taylor --out stopped/deep
 done
-stopped 129 HUP 0.2 run long.json --out stopped/deep
+stopped 129 HUP 0.2 run long.json --set method=taylor --out stopped/deep
 [ ! -e stopped ] || fault "an interrupted run left a directory"
-expect 2 run long.json --out old
+expect 2 run long.json --set method=taylor --out old
 rm -rf old
 expect 0 run top.json --out old --quiet --set /motion/output_step_s=1e-5
 keep old

@@ -116,7 +116,7 @@ nothing_on_stderr
 platform='{"motion":"harmonic","amplitude_rad":1e6,"frequency_hz":10,"pivot_offset_m":[0.3,0,0]}'
 expect 1 check top.json --set "/platform=$platform" --set /motion/duration_s=100
 on_stderr ' of computing; at most '
-expect 1 check top.json --set /motion/duration_s=1e8
+expect 1 check top.json --set /motion/duration_s=1e8 --set /numerics/method=taylor
 on_stderr ' of computing; at most '
 "$tool" check - <faulty.json >out.txt 2>err.txt
 [ $? -eq 1 ] || fault "check of standard input: not exit status 1"
@@ -310,7 +310,7 @@ on_stdout '"status": "not_finite"'
 # Interrupted.
 for pair in INT:130 TERM:143; do
   # A background job of a shell ignores SIGINT, so the signal comes from timeout; --foreground: once, not to its group as well.
-  timeout --foreground --preserve-status -s "${pair%:*}" 1 "$tool" run long.json --out stopped >out.txt 2>err.txt
+  timeout --foreground --preserve-status -s "${pair%:*}" 1 "$tool" run long.json --set method=taylor --out stopped >out.txt 2>err.txt
   status=$?
   [ "$status" -eq "${pair#*:}" ] || fault "SIG${pair%:*}: exit status $status"
   on_stderr 'interrupted at'

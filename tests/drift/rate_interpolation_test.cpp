@@ -10,12 +10,12 @@ namespace earthtop {
 namespace {
 
 /// A drift at the rate epsilon of the Earth after a given time: turns about two axes, one after the other.
-LongHorizonPair<double> turned(double about_z, double about_x, double epsilon) {
+SpinlessPair<double> turned(double about_z, double about_x, double epsilon) {
   const auto turn = [&](double angle, const Vec3<double>& axis) {
     return Quaternion<double>{std::cos(angle * epsilon / 2), Vec3<double>(std::sin(angle * epsilon / 2) * axis)};
   };
   const Quaternion<double> e = turn(about_z, Vec3<double>::UnitZ()) * turn(about_x, Vec3<double>::UnitX());
-  LongHorizonPair<double> pair;
+  SpinlessPair<double> pair;
   pair.e_w = e.w, pair.y = e.v / epsilon;
   return pair;
 }

@@ -33,8 +33,9 @@ TEST(Methods, EachHasOneRowAndItsOwnWordPlaceAndLook) {
 }
 
 TEST(Methods, AreOfferedByTheWordsOfTheirRows) {
-  EXPECT_EQ(kMethodWords,
-            "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|long_horizon|closed_form");
+  EXPECT_EQ(
+      kMethodWords,
+      "auto|taylor|dopri5|rkf78|bulirsch_stoer|extrapolation|abm8|dop853|gauss|splitting|long_horizon|closed_form|fourier");
   EXPECT_TRUE(is_built(Method::bulirsch_stoer, Precision::bits64));
   EXPECT_FALSE(is_built(Method::bulirsch_stoer, Precision::bits113));
   EXPECT_TRUE(is_exact(Method::closed_form));

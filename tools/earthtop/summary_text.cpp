@@ -29,7 +29,9 @@ std::string grouped(std::int64_t number) {
   return digits;
 }
 
-std::string_view axes_of(Observer observer) {
+std::string_view axes_of(Method method, Observer observer) {
+  if (method == Method::fourier)
+    return observer == Observer::laboratory ? "axes of the effective vertical" : "the laboratory's axes";
   switch (observer) {
     case Observer::laboratory: return "the laboratory's axes";
     case Observer::body: return "the body's axes";
@@ -186,6 +188,10 @@ void write_trend(TextPage& page, const RunResult& result) {
       if (secular->of_window)
         page.entry("", fmt::format("the mean over {:.6g} to {:.6g} s and no more than that, as {}", secular->window_s[0],
                                    secular->window_s[1], secular->reason));
+      else if (result.solution.method == Method::fourier)
+        page.entry("", fmt::format("± is a bound; the rates of the motions' Fourier sums tell it, for all time; the run covers "
+                                   "{:.3g} turns of precession",
+                                   secular->turns_seen.value_or(0)));
       else
         page.entry("", fmt::format("± is a 95 % interval; from {:.3g} turns of precession, {:.6g} to {:.6g} s",
                                    secular->turns_seen.value_or(0), secular->window_s[0], secular->window_s[1]));
@@ -244,8 +250,8 @@ void write_sensitivities(TextPage& page, const RunResult& result) {
 std::string described(const IntegrationReport& report) {
   const std::string precision = report.precision == to_string(Precision::bits53) ? "" : spoken(report.precision) + ", ";
   return fmt::format("{}{} in {}, {}{} evaluations, {:.3g} s", spoken(std::string(to_string(report.method))),
-                     report.form == ModelForm::reduced ? " without the spin" : "", axes_of(report.observer), precision,
-                     grouped(report.counters.evaluations), report.seconds);
+                     report.form == ModelForm::reduced ? " without the spin" : "", axes_of(report.method, report.observer),
+                     precision, grouped(report.counters.evaluations), report.seconds);
 }
 
 }  // namespace

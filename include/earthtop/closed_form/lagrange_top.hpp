@@ -28,6 +28,19 @@ enum class LagrangeRegime {
 /// and their derivation takes a third of the time.
 enum class ClosedFormSpan { any, few_periods };
 
+/// A rate (rad/s) with twice the digits, as an unevaluated sum: a phase over many turns keeps all digits of T.
+template <class T>
+struct PhaseRate {
+  T high = T(0), low = T(0);
+};
+/// The rates at which the phases of a symmetric top's motion go on in the mean. A and B are the two halves of its quaternion,
+/// A = w + i z and B = x + i y: A exp(-i A_rate t) and B exp(-i B_rate t) have the period of the nutation, but may change their
+/// sign from one to the next. B_rate + A_rate is then the mean precession, up to a multiple of the nutation's rate.
+template <class T>
+struct SecularPhases {
+  PhaseRate<T> nutation, of_A, of_B;
+};
+
 /// Attitude and rate of the heavy symmetric top at any time, by theta functions.
 ///
 /// Write the quaternion as two complex numbers A = w + i z, B = x + i y, and the rate across the axis as Omega = w1 + i w2.
@@ -62,6 +75,8 @@ class LagrangeTop {
   LagrangeRegime regime() const { return regime_; }
   /// The period of the tilt (s); infinite if there is none (homoclinic, or nothing moves).
   T nutation_period_s() const;
+  /// Less these phases, A, B and |Omega| repeat themselves with the nutation, up to a sign (see `secular_phases`).
+  SecularPhases<T> secular_phases() const;
   /// Squared modulus k^2 of the elliptic functions and its complement 1 - k^2, each to full relative accuracy.
   T parameter() const { return parameter_; }
   T complementary_parameter() const { return complementary_parameter_; }
@@ -95,6 +110,7 @@ class LagrangeTop {
   Split v_rate_, v_start_, v_period_;
   Split sum_rate_, difference_rate_;  ///< phase rates of (arg A + arg B)/2 and (arg A - arg B)/2 (rad/s)
   Split sum_turn_, difference_turn_;  ///< the same phases per period of v (rad)
+  SecularPhases<T> secular_;
   T w3_ = T(0);
   T parameter_ = T(0), complementary_parameter_ = T(1);
   T gravity_ = T(0);  ///< |mgl|/I1

@@ -24,9 +24,10 @@ enum class Method {
   gauss,
   splitting,
   long_horizon,
-  closed_form
+  closed_form,
+  fourier
 };
-inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::closed_form) + 1;
+inline constexpr std::size_t kMethodCount = static_cast<std::size_t>(Method::fourier) + 1;
 
 /// The scalar type of a run, by the bits of its mantissa: double, long double or float128.
 enum class Precision { bits53, bits64, bits113 };
@@ -35,7 +36,7 @@ enum class Precision { bits53, bits64, bits113 };
 enum class Need { required, optional, none };
 
 /// The class of scenes that a method can integrate; scene/method_fit.cpp defines each class and refuses other scenes.
-enum class MethodFit { any, smooth, symmetric_top, fast_symmetric_top, closed_form };
+enum class MethodFit { any, smooth, symmetric_top, fast_symmetric_top, closed_form, nutating_top };
 
 /// The equations that `bench` uses to compare a method: the method's own variables, or these forms of the equations of motion.
 enum class MethodEquations { own, reduced, body, reduced_and_body, reduced_body_and_laboratory };
@@ -88,7 +89,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .word = "dopri5",
      .bench_tolerances = {1e-5, 1e-8, 1e-10},
      .place_in_menus = 2,
-     .place_in_bench = 10,
+     .place_in_bench = 11,
      .look = "orange diamond",
      .cost = {.radians = 0.25,
               .at = 1e-8,
@@ -104,7 +105,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .finds_stops = true,
      .equations = MethodEquations::reduced_body_and_laboratory,
      .place_in_menus = 3,
-     .place_in_bench = 6,
+     .place_in_bench = 7,
      .look = "orange square",
      .cost = {.radians = 0.22, .at = 1e-14, .order_inverse = 1.0 / 8, .stable_phase = 3},
      .worth = "short steps, which find where dry friction stops a motion, and the second method, from which the bounds of "
@@ -113,7 +114,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .word = "bulirsch_stoer",
      .most_digits = Precision::bits64,
      .place_in_menus = 4,
-     .place_in_bench = 9,
+     .place_in_bench = 10,
      .look = "purple triangle",
      .cost = {.radians = 2, .order_inverse = 1.0 / 16, .evaluations = 53, .stable_phase = 3, .stable_evaluations = 15},
      .worth = "Boost.Odeint's own extrapolation: an independent implementation of the same idea, against which extrapolation "
@@ -123,7 +124,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .most_digits = Precision::bits113,
      .finds_stops = true,
      .place_in_menus = 5,
-     .place_in_bench = 8,
+     .place_in_bench = 9,
      .look = "vermillion triangle",
      .cost = {.radians = 4,
               .order_inverse = 1.0 / 35,
@@ -143,7 +144,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .relative_tolerance = Need::none,
      .equations = MethodEquations::body,
      .place_in_menus = 6,
-     .place_in_bench = 11,
+     .place_in_bench = 12,
      .look = "sky diamond",
      .cost = {.evaluations = 2},
      .worth = "the only multistep method: two evaluations of the right-hand side a step, as in older fixed-step simulators"},
@@ -151,7 +152,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .word = "dop853",
      .equations = MethodEquations::reduced_body_and_laboratory,
      .place_in_menus = 7,
-     .place_in_bench = 5,
+     .place_in_bench = 6,
      .look = "sky square",
      .cost = {.radians = 0.35,
               .order_inverse = 1.0 / 8,
@@ -165,7 +166,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .word = "gauss",
      .step_s = Need::optional,
      .place_in_menus = 8,
-     .place_in_bench = 7,
+     .place_in_bench = 8,
      .look = "green triangle",
      .cost = {.radians = 1.0,
               .order_inverse = 1.0 / 13,
@@ -183,7 +184,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .composes = true,
      .equations = MethodEquations::reduced,
      .place_in_menus = 9,
-     .place_in_bench = 4,
+     .place_in_bench = 5,
      .look = "purple circle",
      .cost = {.radians = 0.8, .order_inverse = 1.0 / 7, .most_radians = 2, .evaluations = 14},
      .worth = "the symplectic method for symmetric tops: with a fixed step, its error in the Jacobi integral does not grow "
@@ -194,7 +195,7 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .fit = MethodFit::smooth,
      .bench_tolerances = {1e-2, 1e-3, 1e-5, 1e-8, 1e-11, 1e-14},
      .place_in_menus = 1,
-     .place_in_bench = 3,
+     .place_in_bench = 4,
      .look = "blue circle",
      .cost = {.radians = 1.8, .evaluations = 8, .evaluations_per_log = -0.7, .stable_phase = 10, .evaluations_a_row = 1},
      .worth = "the fewest operations at every error, down to rounding"},
@@ -214,9 +215,19 @@ inline constexpr std::array<MethodRow, kMethodCount> kMethodRows = {{
      .equations = MethodEquations::own,
      .bench_tolerances = {1e-6, 1e-8, 1e-10, 1e-12},
      .place_in_menus = 10,
-     .place_in_bench = 2,
+     .place_in_bench = 3,
      .look = "vermillion circle",
      .worth = "days of a fast top in seconds: its steps follow the precession, not the nutation"},
+    {.method = Method::fourier,
+     .word = "fourier",
+     .most_digits = Precision::bits113,
+     .relative_tolerance = Need::none,
+     .fit = MethodFit::nutating_top,
+     .equations = MethodEquations::own,
+     .place_in_menus = 12,
+     .place_in_bench = 2,
+     .look = "sky circle",
+     .worth = "any day of a heavy symmetric top for the cost of its rows: both motions as Fourier sums of two phases"},
 }};
 
 /// Returns the table row of a method.

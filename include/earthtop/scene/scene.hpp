@@ -78,6 +78,16 @@ struct Constant {
   std::string source;
 };
 
+/// What the Fourier sums of a plain symmetric top's two motions are like (the method "fourier").
+struct FourierOutlook {
+  std::string refusal;        ///< why there are none; empty where there are
+  double set_up_s = 0;        ///< estimated time of finding them (s)
+  double longest_step_s = 0;  ///< the longest time between two looks at which no angle of the drift goes round unseen (s)
+  bool has_azimuth_rate = false;
+  double azimuth_rate_rad_s = 0,
+         azimuth_rate_bound_rad_s = 0;  ///< the secular rate of the azimuth drift, and a bound on its error
+};
+
 /// A resolved scenario. A scene is immutable, and its copies share their computed parts: each part is computed once, when it
 /// is first requested, also if several threads request it. A part that needs a release throws ScenarioError where the
 /// release does not exist (a steady precession without a real rate); every other part is defined for every validated scenario.
@@ -160,6 +170,9 @@ class Scene {
   double rows() const { return scenario().duration_s / scenario().output_step_s; }
   /// Returns the closed form that the motion has, or why it has none.
   ExactKind closed_form_kind() const;
+
+  /// Returns the Fourier sums' outlook. They are sought when it is first asked for, which takes a few milliseconds.
+  const FourierOutlook& fourier_outlook() const;
 
   /// Returns why a method does not fit the scene, and what to do; empty where it fits. The limits of methods that fit some
   /// scenes only (closed form, exact flow) are checked here and nowhere else.

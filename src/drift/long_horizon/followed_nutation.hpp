@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "drift/long_horizon/long_horizon_pair.hpp"
 #include "drift/pivot/reduced_drift_system.hpp"
+#include "drift/spinless_pair_system.hpp"
 #include "integrate/taylor/taylor_stepper.hpp"
 
 namespace earthtop {
@@ -15,7 +15,7 @@ namespace earthtop {
 class FollowedNutation {
  public:
   using T = double;
-  using Pair = LongHorizonPair<T>;
+  using Pair = SpinlessPair<T>;
 
   /// @param model  at the Earth's rate of the pairs; kept by reference   @param nutation_period  not infinite
   FollowedNutation(const Model<T>& model, const NaturalRelease<T>& release, T nutation_period)

@@ -10,11 +10,11 @@
 #include <stdexcept>
 
 #include "drift/long_horizon/followed_nutation.hpp"
-#include "drift/long_horizon/long_horizon_pair.hpp"
 #include "drift/long_horizon/long_horizon_work.hpp"
 #include "drift/long_horizon/rate_interpolation.hpp"
 #include "drift/motion_way.hpp"
 #include "drift/release_rates.hpp"
+#include "drift/spinless_pair_system.hpp"
 #include "drift/watch/step_watcher.hpp"
 #include "drift/watch/threshold_watch.hpp"
 #include "integrate/drive_problem.hpp"
@@ -28,8 +28,8 @@ using long_horizon::kGoldenPart;
 using long_horizon::kNodeDrift;
 using long_horizon::kSmall;
 using Top = TiltedTop<T>;
-using Pair = LongHorizonPair<T>;
-using PairSystem = LongHorizonPairSystem<T>;
+using Pair = SpinlessPair<T>;
+using PairSystem = SpinlessPairSystem<T>;
 using Joined = JoinedPair<T>;
 
 /// What the walks of a run leave for later looks.

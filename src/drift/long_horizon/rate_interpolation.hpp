@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "drift/long_horizon/long_horizon_pair.hpp"
+#include "drift/spinless_pair_system.hpp"
 
 namespace earthtop {
 
@@ -15,13 +15,13 @@ inline constexpr std::array<double, 4> kRateNodes{1, 0.5, -0.5, -1};
 /// The pair at the rate epsilon, and the terms of the cubic in the rate at the largest of the four.
 template <class T>
 struct JoinedPair {
-  LongHorizonPair<T> pair;
+  SpinlessPair<T> pair;
   Vec3<T> second_order_term = Vec3<T>::Zero(), third_order_term = Vec3<T>::Zero();
 };
 
 /// @param at  the pairs at the four rates kRateNodes x node and the same time
 template <class T>
-JoinedPair<T> joined(const std::array<LongHorizonPair<T>, kRateNodes.size()>& at, T epsilon, T node) {
+JoinedPair<T> joined(const std::array<SpinlessPair<T>, kRateNodes.size()>& at, T epsilon, T node) {
   const T x = epsilon / node;
   std::array<T, kRateNodes.size()> weight;
   for (std::size_t i = 0; i < kRateNodes.size(); ++i) {
@@ -39,7 +39,7 @@ JoinedPair<T> joined(const std::array<LongHorizonPair<T>, kRateNodes.size()>& at
   constexpr std::array<T, 4> kSecond{T(2) / T(3), -T(2) / T(3), -T(2) / T(3), T(2) / T(3)};
   constexpr std::array<T, 4> kThird{T(2) / T(3), -T(4) / T(3), T(4) / T(3), -T(2) / T(3)};
   for (std::size_t i = 0; i < kRateNodes.size(); ++i) {
-    const LongHorizonPair<T>& q = at[i];
+    const SpinlessPair<T>& q = at[i];
     const T side = q.e_w < T(0) ? T(-1) : T(1), scale = T(1) / (kRateNodes[i] * node);
     y += weight[i] * side * q.y;
     made.second_order_term += kSecond[i] * side * q.y;

@@ -225,6 +225,8 @@ DRIFT = [
          page=ROWS, holds=falls),
     Case(RUN, "Computed taylor without the spin in the laboratory's axes", set={"/motion/duration_s": 1},
          unless={"/numerics/model": "general"}),
+    Case(RUN, ["Computed fourier in axes of the effective vertical", "Checked fourier in the laboratory's axes"],
+         set={"/motion/duration_s": 1, "/numerics/method": "fourier"}, unless={"/numerics/method": "taylor"}),
     Case(RUN, "in the body's axes", set={"/motion/duration_s": 1, "/numerics/observer": "body"}, unless={"/numerics": None}),
     Case(RUN, ["rad/s; in 2 s it turns by |Ω| t = 0.00014584 rad", "arcsec = 0.1914 |Ω| t"],
          set={"/motion/duration_s": 2, "/earth/rotation_rate_rad_s": -OMEGA, "/site/latitude_deg": -45,
@@ -247,6 +249,11 @@ def window(text):
     return near(float(found[1]), 3.88681 * float(found[2]) / (2 * math.pi), 0.01)
 
 
+def all_time(text):
+    """The turns of the precession in a run that need not cover one."""
+    return near(number(text, "the run covers", " turns of precession"), 3.88681 * 1.5 / (2 * math.pi), 0.01)
+
+
 def leaves_out(text):
     """What is left out is more than a tenth of the prediction."""
     found = re.search(r"it leaves out ([0-9.e+-]+) rad/s of ([-+0-9.e]+)", text)
@@ -254,6 +261,8 @@ def leaves_out(text):
 
 
 TREND = [
+    Case(RUN, "± is a bound; the rates of the motions' Fourier sums tell it, for all time; the run covers",
+         set={"/motion/duration_s": 1.5, "/numerics/method": "fourier"}, unless={"/numerics/method": "taylor"}, holds=all_time),
     Case(RUN, "no more than that, as a gimbal holds the axis", scenario="hard/t08-gyrocompass",
          set={"/release": {"tilt_deg": 90, "azimuth_deg": 40, "angular_velocity_body_rad_s": [5, 0, 628]}},
          unless={"/release": {"tilt_deg": 90, "azimuth_deg": 40, "spin_rad_s": 628}}),

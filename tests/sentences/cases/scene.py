@@ -104,6 +104,8 @@ CHOICE = [
             unless={"/release/rates_relative_to": "laboratory"}),
     explain("run would use long_horizon (a fast symmetric top over many nutations: exact flows step over them)", "fast-gyro",
             set={"/motion/duration_s": 60}, unless={"/release/spin_rpm": 500}),
+    explain("run would use fourier (a heavy symmetric top over many turns: its two motions are Fourier sums, which need no steps)",
+            "fast-gyro", set={"/motion/duration_s": 600}, unless={"/motion/duration_s": 0.5}),
     explain("run would use taylor (a symmetric top, integrated without its spin: Taylor series take the fewest operations)",
             unless={"/body/inertia": MATRIX}),
     explain("run would use taylor (Taylor series of the equations in body axes take the fewest operations)", "asymmetric-top",

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The two motions of a run by long_horizon, and what a watcher of its steps asks of them.
+/// Two motions without the spin that they share, as drift states, and what a watcher of their steps asks of them.
 #pragma once
 
 #include "drift/release_rates.hpp"
 #include "drift/watch/step_watcher.hpp"
-#include "integrate/long_horizon.hpp"
+#include "integrate/spinless_pair.hpp"
 
 namespace earthtop {
 
-/// Both motions at one instant, without the spin w3 t that they share. (e_w, epsilon y) is the quaternion of R_ref^T R_rot.
+/// The drift state of a pair.   @param w3  the spin that both motions share   @param t  natural units
 template <class T>
-struct LongHorizonPair {
-  Quaternion<T> ref_q_LF;
-  Complex<T> ref_across;
-  T e_w = T(1);
-  Vec3<T> y = Vec3<T>::Zero();
-  Complex<T> across;     ///< rate of the rotating motion's axis, in its own frame
-  T spin_excess = T(0);  ///< rate of the rotating motion along the axis relative to the laboratory, less w3
-};
+DriftState<T> with_spin(const SpinlessPair<T>& x, T epsilon, T w3, T t) {
+  const Quaternion<T> spin = steady_turn(2, w3, t);
+  const Mat3<T> R_FB = rotation_matrix(spin);
+  DriftState<T> s;
+  s.epsilon = epsilon;
+  s.e_w = x.e_w;
+  s.ref_q_LB = x.ref_q_LF * spin;
+  s.e_v_scaled = transposed_times(R_FB, x.y);
+  s.q_LB = s.ref_q_LB * Quaternion<T>{x.e_w, epsilon * s.e_v_scaled}.normalized();
+  s.ref_w_LB_B = transposed_times(R_FB, Vec3<T>(x.ref_across.re, x.ref_across.im, w3));
+  s.w_LB_B = transposed_times(R_FB, Vec3<T>(x.across.re, x.across.im, w3 + x.spin_excess));
+  return s;
+}
 
 /// Gives a pair the interface of a system that a StepWatcher expects.
 template <class T>
-class LongHorizonPairSystem {
+class SpinlessPairSystem {
  public:
-  using Pair = LongHorizonPair<T>;
+  using Pair = SpinlessPair<T>;
   using State = Pair;
-  LongHorizonPairSystem(T epsilon, T w3) : epsilon_(epsilon), w3_(w3) {}
+  SpinlessPairSystem(T epsilon, T w3) : epsilon_(epsilon), w3_(w3) {}
 
   void follow(const Pair& x) { followed_ = signed_like(followed_, x); }
   /// The pair with the signs of its two quaternions chosen to be close to those followed last.
@@ -41,18 +46,7 @@ class LongHorizonPairSystem {
     s.e_v_scaled = x.y;
     return s;
   }
-  DriftState<T> shared_state(const Pair& pair, T t) const {
-    const Pair x = signed_like(followed_, pair);
-    const Quaternion<T> spin = steady_turn(2, w3_, t);
-    const Mat3<T> R_FB = rotation_matrix(spin);
-    DriftState<T> s = deviation_state(pair, t);
-    s.ref_q_LB = x.ref_q_LF * spin;
-    s.e_v_scaled = transposed_times(R_FB, x.y);
-    s.q_LB = s.ref_q_LB * Quaternion<T>{x.e_w, epsilon_ * s.e_v_scaled}.normalized();
-    s.ref_w_LB_B = transposed_times(R_FB, Vec3<T>(x.ref_across.re, x.ref_across.im, w3_));
-    s.w_LB_B = transposed_times(R_FB, Vec3<T>(x.across.re, x.across.im, w3_ + x.spin_excess));
-    return s;
-  }
+  DriftState<T> shared_state(const Pair& pair, T t) const { return with_spin(signed_like(followed_, pair), epsilon_, w3_, t); }
 
  private:
   Pair signed_like(const Pair& last, const Pair& pair) const {
