@@ -2,6 +2,7 @@
 /// The definition of fourier_drift, for each scalar.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 
 #include "drift/drift_at_any_time.hpp"
@@ -16,10 +17,10 @@ namespace {
 template <class T>
 class FourierPair {
  public:
-  FourierPair(const DriftProblem<T>& problem, TorusAxes axes)
+  FourierPair(const DriftProblem<T>& problem, TorusAxes axes, std::size_t fineness)
       : epsilon_(problem.model.epsilon),
         w3_(problem.natural_release().w_XB_B[2]),
-        top_(problem.model, problem.natural_release(), axes) {}
+        top_(problem.model, problem.natural_release(), axes, fineness) {}
 
   const FourierTop<T>& top() const { return top_; }
   T radian_time() const { return T(1) / top_.fast_rate(); }
@@ -63,14 +64,20 @@ class FourierPair {
 template <class T>
 DriftTrajectory<T> fourier_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch) {
   if (reduced_top(problem.model).axis != 2) throw std::logic_error("fourier: the top is not symmetric about body axis 3");
-  FourierPair<T> pair(problem,
-                      options.observer == Observer::laboratory ? TorusAxes::effective_vertical : TorusAxes::laboratory);
-  if (!pair.top().refusal().empty()) {
+  std::optional<FourierPair<T>> pair;
+  const auto is_refused = [&](TorusAxes axes, std::size_t fineness) {
+    pair.emplace(problem, axes, fineness);
+    return !pair->top().refusal().empty();
+  };
+  // A check takes other axes on a finer grid, or only a finer grid where those do not suit.
+  const bool is_checked = options.observer != Observer::laboratory &&
+                          (!is_refused(TorusAxes::laboratory, 2) || !is_refused(TorusAxes::effective_vertical, 2));
+  if (!is_checked && is_refused(TorusAxes::effective_vertical, 1)) {
     DriftTrajectory<T> none;
     none.status = RunStatus::not_converged;
     return none;
   }
-  return drift_at_any_time(pair, problem, natural_times(problem), options, watch);
+  return drift_at_any_time(*pair, problem, natural_times(problem), options, watch);
 }
 
 }  // namespace earthtop

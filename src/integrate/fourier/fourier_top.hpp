@@ -24,7 +24,9 @@ template <class T>
 class FourierTop {
  public:
   /// @param model  plain, symmetric about body axis 3
-  FourierTop(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes = TorusAxes::effective_vertical);
+  /// @param fineness  how many times as fine as need be the grid is to begin with, a power of two
+  FourierTop(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes = TorusAxes::effective_vertical,
+             std::size_t fineness = 1);
 
   FourierTop(const FourierTop&) = delete;
   FourierTop& operator=(const FourierTop&) = delete;

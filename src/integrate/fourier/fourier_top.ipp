@@ -17,7 +17,7 @@ SpinlessTop<T> FourierTop<T>::spinless(const Model<T>& model, const NaturalRelea
 }
 
 template <class T>
-FourierTop<T>::FourierTop(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes)
+FourierTop<T>::FourierTop(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes, std::size_t fineness)
     : epsilon_(model.epsilon), W_L_(model.W_IL_L), plain_(spinless(model, release)) {
   constexpr std::size_t kAlong = 16, kAcross = 8;
   if (plain_.top().gravity() == T(0)) {
@@ -29,13 +29,13 @@ FourierTop<T>::FourierTop(const Model<T>& model, const NaturalRelease<T>& releas
     return;
   }
   const TorusChange<T> change = this->change(model, release, axes);
-  const std::size_t finer = axes == TorusAxes::laboratory ? 2 : 1;
-  torus_.emplace(plain_, change, finer * kAlong, finer * kAcross);
+  torus_.emplace(plain_, change, fineness * kAlong, fineness * kAcross);
   if (torus_->status() != TorusStatus::found) {
     constexpr double kSlow = 0.1;
+    constexpr std::size_t kMany = 128;  // points of a nutation that all but a few motions do with
     if (epsilon_ * norm(change.W_G) > T(kSlow) * real::abs(plain_.precession()))
       refusal_ = "the precession is not much faster than the Earth's rotation";
-    else if (torus_->status() == TorusStatus::too_many_harmonics)
+    else if (torus_->status() == TorusStatus::too_many_harmonics || torus_->nutation_points() >= kMany)
       refusal_ = "the nutation has too many harmonics: the motion is next to one that tends to the vertical";
     else
       refusal_ = "a multiple of the precession is next to one of the nutation";
