@@ -3,13 +3,13 @@
 /// two for each digit, in steps that differ by a factor of 1.3 to 2.
 #pragma once
 
-#include <quadmath.h>
-
 #include <cstdlib>
 #include <type_traits>
 #include <vector>
 
 #include "earthtop/model/model.hpp"
+
+extern "C" earthtop::float128 strtoflt128(const char*, char**);  // of libquadmath, whose header clang does not find
 
 namespace earthtop::testing {
 

@@ -99,7 +99,7 @@ TEST(FourierTop, SatisfiesTheLaboratorysEquations) {
         for (const double part : {0.3, 1.0}) {
           const double later = t + part * top.plain().period();
           const SpinlessPair<double> went = followed.at(later), is = top.at(later);
-          const double size = 1 + norm(is.y), tolerance = testing::rounding(2000) * size;
+          const double size = 1 + norm(is.y), tolerance = testing::rounding(10'000) * size;
           EXPECT_LT(norm(Vec3<double>(went.y - is.y)), tolerance) << share << ", " << t;
           EXPECT_NEAR(went.e_w, is.e_w, tolerance);
           EXPECT_NEAR(went.across.re, is.across.re, tolerance * top.fast_rate());

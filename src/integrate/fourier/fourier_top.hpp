@@ -64,6 +64,12 @@ class FourierTop {
     const T x = epsilon_ * a;
     return real::abs(x) < real::epsilon<T>() ? a : a * (real::sin(x) / x);
   }
+  /// The two halves of q at theta1 of the plain motion, their changes up to that of the rotating one over epsilon, and the rate across the
+  /// axis at either.
+  struct Nutated {
+    Complex<T> A, B, A_change, B_change, ref_across, across;
+  };
+  Nutated nutated(const Complex<T>& turn, const Complex<T>& shift, const Complex<T>& shift_scaled) const;
   static SpinlessTop<T> spinless(const Model<T>& model, const NaturalRelease<T>& release);
   TorusChange<T> change(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The definition of FourierTop; each of fourier_top*.cpp instantiates it.
+/// The definition of FourierTop, for each scalar.
 #pragma once
 
 #include <algorithm>
@@ -41,8 +41,9 @@ FourierTop<T>::FourierTop(const Model<T>& model, const NaturalRelease<T>& releas
       refusal_ = "a multiple of the precession is next to one of the nutation";
     return;
   }
-  constexpr double kUnseen = 1.0 / 64;
-  while (plain_.harmonics_beyond(highest_) > T(kUnseen) * real::epsilon<T>()) ++highest_;
+  constexpr double kUnseen = 0.5;
+  const int most = static_cast<int>(torus_->nutation_points() / 2) - 1;
+  while (highest_ < most && plain_.harmonics_beyond(highest_) > T(kUnseen) * real::epsilon<T>()) ++highest_;
 }
 
 template <class T>
@@ -76,40 +77,46 @@ TorusChange<T> FourierTop<T>::change(const Model<T>& model, const NaturalRelease
   return change;
 }
 
+/// The sums over the harmonics of the plain motion.   @param turn  exp(i theta1) of the plain motion   @param shift  what takes it to that of
+/// the rotating one   @param shift_scaled  (shift - 1) / epsilon
 template <class T>
-SpinlessPair<T> FourierTop<T>::at(T t) const {
-  const typename PlainTorus<T>::Phases phases = plain_.phases(t);
-  const Complex<T> turn_A = turned(phases.of_A), turn_B = turned(phases.of_B);
-  const Complex<T> turn2 = turn_A * turn_B, turn3 = turn_A * conj(turn_B);
-  SpinlessPair<T> pair;
-
-  // Sums over the harmonics of the plain motion at its own phase theta1, and of their changes up to the phase of the rotating one.
-  const typename RotatingTorus<T>::Rates rates = torus_->rates();
-  const T half = rates.nutation * t / T(2), half_angle = epsilon_ * half, half_sine = scaled_sine(half);
-  const Complex<T> shift = turned(T(T(2) * half_angle));
-  const Complex<T> first =
-      (T(2) * half_sine) * Complex<T>{-real::sin(half_angle), real::cos(half_angle)};  // (shift - 1) / epsilon
-  const Complex<T> turn1 = turned(phases.nutation), rotating1 = turn1 * shift;
+typename FourierTop<T>::Nutated FourierTop<T>::nutated(const Complex<T>& turn, const Complex<T>& shift,
+                                                       const Complex<T>& shift_scaled) const {
   const auto& c = plain_.coefficients();
-  Complex<T> A = c.A[0], B = c.B[0], ref_across = c.across[0], across = c.across[0], A_change, B_change;
-  Complex<T> power = turn1, rotating_power = rotating1, changed = first;
+  Nutated sum{c.A[0], c.B[0], {}, {}, c.across[0], c.across[0]};
+  const Complex<T> rotating_turn = turn * shift;
+  Complex<T> power = turn, rotating_power = rotating_turn, changed = shift_scaled;  // of the harmonic k
   for (int k = 1; k <= highest_; ++k) {
     const auto up = static_cast<std::size_t>(k), down = c.A.size() - up;
     const Complex<T> back = conj(power), changed_back = conj(changed);
     const Complex<T> A_up = c.A[up] * power, A_down = c.A[down] * back, B_up = c.B[up] * power, B_down = c.B[down] * back;
-    A = A + A_up + A_down;
-    B = B + B_up + B_down;
-    A_change = A_change + A_up * changed + A_down * changed_back;
-    B_change = B_change + B_up * changed + B_down * changed_back;
-    ref_across = ref_across + c.across[up] * power + c.across[down] * back;
-    across = across + c.across[up] * rotating_power + c.across[down] * conj(rotating_power);
-    power = power * turn1;
-    rotating_power = rotating_power * rotating1;
-    changed = changed * shift + first;
+    sum.A = sum.A + A_up + A_down;
+    sum.B = sum.B + B_up + B_down;
+    sum.A_change = sum.A_change + A_up * changed + A_down * changed_back;
+    sum.B_change = sum.B_change + B_up * changed + B_down * changed_back;
+    sum.ref_across = sum.ref_across + c.across[up] * power + c.across[down] * back;
+    sum.across = sum.across + c.across[up] * rotating_power + c.across[down] * conj(rotating_power);
+    power = power * turn;
+    rotating_power = rotating_power * rotating_turn;
+    changed = changed * shift + shift_scaled;
   }
-  const Quaternion<T> q{A.re, Vec3<T>(B.re, B.im, A.im)}, q_change{A_change.re, Vec3<T>(B_change.re, B_change.im, A_change.im)};
-  const Quaternion<T> nutated = q.conjugate() * q_change;
-  const SmallTurn of_nutation{T(1) + epsilon_ * nutated.w, nutated.v};
+  return sum;
+}
+
+template <class T>
+SpinlessPair<T> FourierTop<T>::at(T t) const {
+  const typename PlainTorus<T>::Phases phases = plain_.phases(t);
+  const Complex<T> turn_A = turned(phases.of_A), turn_B = turned(phases.of_B), turn1 = turned(phases.nutation);
+  const Complex<T> turn2 = turn_A * turn_B, turn3 = turn_A * conj(turn_B);
+  const typename RotatingTorus<T>::Rates rates = torus_->rates();
+
+  const T half1 = rates.nutation * t / T(2);
+  const Complex<T> half_turn = turned(T(epsilon_ * half1)), shift = half_turn * half_turn;
+  const Nutated sum = nutated(turn1, shift, T(T(2) * scaled_sine(half1)) * times_i(half_turn));
+  const Quaternion<T> q{sum.A.re, Vec3<T>(sum.B.re, sum.B.im, sum.A.im)},
+      q_change{sum.A_change.re, Vec3<T>(sum.B_change.re, sum.B_change.im, sum.A_change.im)};
+  const Quaternion<T> turned_on = q.conjugate() * q_change;
+  const SmallTurn of_nutation{T(1) + epsilon_ * turned_on.w, turned_on.v};
 
   // The turn about the vertical, and that from Up to it, seen in F'.
   const T half2 = rates.precession * t / T(2);
@@ -117,7 +124,7 @@ SpinlessPair<T> FourierTop<T>::at(T t) const {
   const Complex<T> level = conj(turn2) * Complex<T>{outer.v[0], outer.v[1]};
   outer.v = transposed_times(rotation_matrix(q), Vec3<T>(level.re, level.im, outer.v[2]));
 
-  const TorusVector<T> x = torus_->at(rotating1, turn2 * turned(T(T(2) * epsilon_ * half2)));
+  const TorusVector<T> x = torus_->at(turn1 * shift, turn2 * turned(T(T(2) * epsilon_ * half2)));
   const Vec3<T> y = x.template head<3>();
   const SmallTurn deformed{real::sqrt(T(T(1) - epsilon_ * epsilon_ * y.dot(y))), y};
   SmallTurn e = product(product(outer, of_nutation), deformed);
@@ -127,16 +134,17 @@ SpinlessPair<T> FourierTop<T>::at(T t) const {
   e.v = Vec3<T>(into.re, into.im, e.v[2]);
   const T half3 = (rates.axis_turn + spin_change_) * t / T(2);
   e = product(e, {real::cos(T(epsilon_ * half3)), Vec3<T>(T(0), T(0), scaled_sine(half3))});
+  SpinlessPair<T> pair;
   pair.e_w = e.w, pair.y = e.v;
 
-  const Complex<T> A_F = turn_A * A, B_F = turn_B * B;
+  const Complex<T> A_F = turn_A * sum.A, B_F = turn_B * sum.B;
   pair.ref_q_LF = Quaternion<T>{A_F.re, Vec3<T>(B_F.re, B_F.im, A_F.im)}.normalized();
-  pair.ref_across = conj(turn3) * ref_across;
+  pair.ref_across = conj(turn3) * sum.ref_across;
 
   const Mat3<T> R_LF = rotation_matrix(pair.ref_q_LF * Quaternion<T>{e.w, epsilon_ * e.v});
   const Vec3<T> W_F = transposed_times(R_LF, W_L_);
   const T nu = plain_.nutation();
-  const Complex<T> inertial = across + epsilon_ * Complex<T>{nu * x[3], nu * x[4]};
+  const Complex<T> inertial = sum.across + epsilon_ * Complex<T>{nu * x[3], nu * x[4]};
   pair.across = conj(turn3) * conj(turned(T(T(2) * epsilon_ * half3))) * inertial + T(-1) * Complex<T>{W_F[0], W_F[1]};
   pair.spin_excess = epsilon_ * spin_change_ - W_F[2];
   return pair;
