@@ -145,6 +145,9 @@ TEST(FourierTop, RefusesWithTheReason) {
   EXPECT_NE(refusal([](Scenario& s) { s.body.center_of_mass_m = {0, 0, 0}; }).find("no precession"), std::string::npos);
   EXPECT_NE(refusal([](Scenario& s) { s.rotation_rate_rad_s = 3; }).find("not much faster than the Earth's"),
             std::string::npos);
+  EXPECT_NE(refusal([](Scenario& s) { s.release.tilt_deg = 0; }).find("stays vertical"), std::string::npos);
+  EXPECT_NE(refusal([](Scenario& s) { s.release.tilt_deg = 175, s.release.spin_rad_s = 0; }).find("swings in a plane"),
+            std::string::npos);
   // Thrown upward with just the energy to stand: next to a separatrix.
   EXPECT_NE(refusal([](Scenario& s) { s.release.tilt_deg = 0.01, s.release.spin_rad_s = 90; }).find("finds no Fourier sums"),
             std::string::npos);

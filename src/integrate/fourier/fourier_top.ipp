@@ -33,7 +33,12 @@ FourierTop<T>::FourierTop(const Model<T>& model, const NaturalRelease<T>& releas
   if (torus_->status() != TorusStatus::found) {
     constexpr double kSlow = 0.1;
     constexpr std::size_t kMany = 128;  // points of a nutation that all but a few motions do with
-    if (epsilon_ * norm(change.W_G) > T(kSlow) * real::abs(plain_.precession()))
+    const auto& q = plain_.coefficients();
+    const T level = norm2(q.A[0]) * norm2(q.B[0]);  // of the mean axis, to the fourth power
+    const LagrangeRegime regime = plain_.closed_form().regime();
+    if (!(level > T(0)) || regime == LagrangeRegime::plane_swinging || regime == LagrangeRegime::plane_turning)
+      refusal_ = "the non-rotating axis does not precess: it stays vertical, or swings in a plane";
+    else if (epsilon_ * norm(change.W_G) > T(kSlow) * real::abs(plain_.precession()))
       refusal_ = "the precession is not much faster than the Earth's rotation";
     else if (torus_->status() == TorusStatus::too_many_harmonics || torus_->nutation_points() >= kMany)
       refusal_ = "the nutation has too many harmonics: the motion is next to one that tends to the vertical";
