@@ -21,6 +21,7 @@ constexpr double kFewestAzimuths = 100;
 
 constexpr const char* kTooLittle = "too little of the run is reliable";
 constexpr const char* kThroughVertical = "an axis passes through the vertical";
+constexpr const char* kMovedAsFar = "the Earth moves the axis about as far as the axis is from the vertical";
 
 /// Names what acts on the top besides gravity and the Earth's rotation; empty if nothing does.
 std::string other_action(const Scene& scene) {
@@ -160,10 +161,8 @@ void take_mean(const RunResult& result, SecularDrift& trend) {
   trend.of_window = true;
 }
 
-/// Whether the run's own Fourier sums tell the secular rate.
-bool is_known_from_sums(const Scene& scene) {
-  return scene.choice().options.method == Method::fourier && scene.fourier_outlook().has_azimuth_rate;
-}
+/// Whether the run is made of Fourier sums, which tell the secular rate wherever there is one.
+bool is_of_sums(const Scene& scene) { return scene.choice().options.method == Method::fourier; }
 
 }  // namespace
 
@@ -189,7 +188,10 @@ TrendPlan plan_trend(const Scene& scene) {
     }
     plan.frequencies = TrendFrequencies{rates->precession_rad_s, rates->nutation_rad_s};
     const double turns = std::abs(rates->precession_rad_s) * duration / kWholeTurn;
-    if (is_known_from_sums(scene)) return plan;
+    if (is_of_sums(scene)) {
+      if (!scene.fourier_outlook().has_azimuth_rate) plan.no_precession = kMovedAsFar;
+      return plan;
+    }
     if (turns < 1) return plan;
     // A tilt that is not a simple sine has many multiples of its frequency, all of which must be seen.
     constexpr int kSimple = 32;
@@ -229,7 +231,10 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
     return trend;
   };
   trend.window_s = {0, until};
-  if (const Scene& scene = result.modelled; plan.frequencies && is_known_from_sums(scene)) {
+  if (const Scene& scene = result.modelled; plan.frequencies && is_of_sums(scene)) {
+    trend.reason = kTooLittle;
+    if (!(until > 0)) return trend;
+    trend.reason.clear();
     trend.turns_seen = std::abs(plan.frequencies->precession_rad_s) * until / kWholeTurn;
     trend.azimuth_rate_rad_s = scene.fourier_outlook().azimuth_rate_rad_s;
     trend.azimuth_rate_bound_95_rad_s = scene.fourier_outlook().azimuth_rate_bound_rad_s;
@@ -246,7 +251,7 @@ std::optional<SecularDrift> assess_trend(const RunResult& result, const TrendPla
   if (static_cast<double>(count) < kFewestAzimuths) return trend;
   trend.reason = kThroughVertical;
   if (!std::ranges::all_of(azimuths, &AzimuthSample::defined)) return trend;
-  trend.reason = "the Earth moves the axis about as far as the axis is from the vertical";
+  trend.reason = kMovedAsFar;
   if (!azimuths_tell(azimuths)) return trend;
 
   const double step = plan.times_s[1];

@@ -99,8 +99,7 @@ MethodChoice PivotLaws::choose_method(const Scene& scene) const {
   const bool steps_over = has_long_horizon(scene);
   IntegrationOptions over = asked;
   over.method = Method::long_horizon;
-  if (asked.observer == Observer::laboratory && scene.symmetry_axis() == 2 && scene.is_plain() &&
-      has_fourier_sums(scene, steps_over ? over : with_taylor(scene))) {
+  if (may_have_fourier_sums(scene) && has_fourier_sums(scene, steps_over ? over : with_taylor(scene))) {
     IntegrationOptions options = asked;
     options.method = Method::fourier;
     return {options, "a heavy symmetric top over many turns: its two motions are Fourier sums, which need no steps"};

@@ -141,6 +141,8 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
          "tops that keep most of their spin; take \"auto\"";
 }
 
+bool may_have_fourier_sums(const Scene& scene) { return !need_own_variables(to_string(Method::fourier), scene); }
+
 FourierOutlook fourier_outlook_of(const Scene& scene) {
   const DriftProblem<double>& problem = scene.problem_without_rows<double>();
   const FourierTop<double> top(problem.model, problem.natural_release());

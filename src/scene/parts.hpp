@@ -44,6 +44,8 @@ extern template DriftProblem<float128> problem_of(const Scene&);
 
 // method_fit.cpp. The scene must be plain, and its top symmetric about body axis 3.
 FourierOutlook fourier_outlook_of(const Scene& scene);
+/// Whether it is such a scene, and asks for no other variables: all that is known of its Fourier sums before they are sought.
+bool may_have_fourier_sums(const Scene& scene);
 
 // top_figures.cpp: the figures of the body and of its motion without Earth rotation.
 TopFigures top_figures_of(const Scene& scene);

@@ -57,8 +57,8 @@ IntegrationOptions PivotLaws::second_options(const Scene& scene, const Integrati
                                              IntegrationOptions second) const {
   const IntegrationOptions stepping = stepping_check(scene, first, second);
   constexpr double kNoticed_s = 0.02, kGain = 2;
-  const bool may_have_sums = scene.is_plain() && scene.symmetry_axis() == 2 && scene.scenario().precision == Precision::bits53;
-  if (is_exact(first.method) || !may_have_sums) return stepping;
+  const bool is_double = scene.scenario().precision == Precision::bits53;
+  if (is_exact(first.method) || !is_double || !may_have_fourier_sums(scene)) return stepping;
   const double seconds = scene.cost(stepping).seconds;
   if (!(seconds > kNoticed_s) || scene.method_refusal(Method::fourier)) return stepping;
   IntegrationOptions sums = scene.scenario().numerics;

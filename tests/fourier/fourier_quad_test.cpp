@@ -21,9 +21,7 @@ TEST(FourierTopInFloat128, HasAllKnownDigits) {
     const FourierTop<T> top(p.model, p.release);
     ASSERT_EQ(top.refusal(), "");
     for (const testing::FourierCase::At& at : c.drifts) {
-      const SpinlessPair<T> pair = top.at(T(at.t_s));
-      const T across = rate * real::hypot(pair.y[0], pair.y[1]), along = real::hypot(pair.e_w, T(rate * pair.y[2]));
-      const T known = testing::parsed<T>(at.drift_rad), drift = T(2) * real::atan2(across, along);
+      const T known = testing::parsed<T>(at.drift_rad), drift = testing::axis_drift(top.at(T(at.t_s)), rate);
       // Half a unit of the last digit given: 22 to 25 digits.
       const std::string text = at.drift_rad;
       const auto digits = static_cast<double>(text.find('e') - text.find('.') - 1);

@@ -19,14 +19,9 @@
 namespace earthtop {
 namespace {
 
+using testing::axis_drift;
 using testing::FourierCase;
 using testing::FourierProblem;
-
-template <class T>
-T axis_drift(const SpinlessPair<T>& pair, T epsilon) {
-  const T across = epsilon * real::hypot(pair.y[0], pair.y[1]), along = real::hypot(pair.e_w, T(epsilon * pair.y[2]));
-  return T(2) * real::atan2(across, along);
-}
 
 const FourierCase& toy_top() { return testing::fourier_cases()[0]; }
 const FourierCase& unbalanced() { return testing::fourier_cases()[2]; }

@@ -15,16 +15,15 @@
 
 namespace earthtop {
 
-/// In which axes the torus of the rotating motion is sought. In those of the effective vertical, along which gravity and the gyroscopic
-/// torque of the Earth's rate add up, it is least deformed; in those of the laboratory the same motion comes from other numbers, on a
-/// grid twice as fine, and so checks the first.
+/// The axes in which the torus of the rotating motion is sought. In those of the effective vertical, along which gravity and the gyroscopic
+/// torque of the Earth's rotation add up, it is least deformed; in those of the laboratory the same motion comes from other numbers.
 enum class TorusAxes { effective_vertical, laboratory };
 
 template <class T>
 class FourierTop {
  public:
   /// @param model  plain, symmetric about body axis 3
-  /// @param fineness  how many times as fine as need be the grid is to begin with, a power of two
+  /// @param fineness  the grid begins so many times as fine as is usual, a power of two
   FourierTop(const Model<T>& model, const NaturalRelease<T>& release, TorusAxes axes = TorusAxes::effective_vertical,
              std::size_t fineness = 1);
 

@@ -45,7 +45,7 @@ struct TorusChange {
   Complex<T> across;            ///< of the rate across the axis at the release
 };
 
-/// How the search for a torus ended. The names of the causes are those that a refusal gives.
+/// How the search for a torus ended.
 enum class TorusStatus { found, no_convergence, too_many_harmonics };
 
 template <class T>
@@ -93,6 +93,7 @@ class RotatingTorus {
   bool converge();
   void make_residual();
   T correct();
+  T largest() const;
   T size_along(int harmonic) const;
   T size_across(std::size_t j) const;
   bool is_resolved(bool along);
@@ -210,7 +211,7 @@ void RotatingTorus<T>::prepare() {
 template <class T>
 bool RotatingTorus<T>::converge() {
   constexpr int kMostPasses = 60;
-  constexpr double kDivided = 0.7, kEnough = 1e-9;
+  constexpr double kDivided = 0.7, kEnough = 1e-9;  // what is left at rest counts as error
   x_.assign(grid_.coefficients(), {});
   rates_ = {};
   changes_.clear();
@@ -335,6 +336,13 @@ T RotatingTorus<T>::correct() {
   return largest > T(0) ? T(largest_step / real::sqrt(largest)) : T(0);
 }
 
+/// The size of the largest coefficient.
+template <class T>
+T RotatingTorus<T>::largest() const {
+  T square = T(0);
+  for (const Complex<T>& c : x_) square = std::max(square, norm2(c));
+  return real::sqrt(square);
+}
 /// The size of the coefficients of one harmonic of the nutation, or of the precession.
 template <class T>
 T RotatingTorus<T>::size_along(int harmonic) const {
@@ -361,8 +369,6 @@ T RotatingTorus<T>::size_across(std::size_t j) const {
 /// Whether the harmonics that the grid leaves out are rounding, and adds them to the error.
 template <class T>
 bool RotatingTorus<T>::is_resolved(bool along) {
-  T largest = T(0);
-  for (const Complex<T>& c : x_) largest = std::max(largest, norm2(c));
   T left_out;
   if (along) {
     left_out = size_along(grid_.highest()) + size_along(grid_.highest() - 1);
@@ -372,16 +378,14 @@ bool RotatingTorus<T>::is_resolved(bool along) {
   }
   constexpr double kTail = 8, kRounding = 4;
   error_ += T(kTail) * left_out;
-  return left_out <= T(kRounding) * real::epsilon<T>() * real::sqrt(largest);
+  return left_out <= T(kRounding) * real::epsilon<T>() * largest();
 }
 
 /// Finds how far the harmonics of the nutation are above what no digit of a sum shows.
 template <class T>
 void RotatingTorus<T>::find_highest() {
-  T largest = T(0);
-  for (const Complex<T>& c : x_) largest = std::max(largest, norm2(c));
   constexpr double kUnseen = 1.0 / 64;
-  const T least = T(kUnseen) * real::epsilon<T>() * real::sqrt(largest);
+  const T least = T(kUnseen) * real::epsilon<T>() * largest();
   highest_.assign(grid_.classes(), -1);
   for (std::size_t j = 0; j < grid_.classes(); ++j)
     for (std::size_t m = 0; m < kTorusSize; ++m)
