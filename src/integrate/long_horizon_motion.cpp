@@ -6,6 +6,7 @@
 
 #include "integrate/drive_problem.hpp"
 #include "integrate/long_horizon.hpp"
+#include "integrate/spinless_pair.hpp"
 
 namespace earthtop {
 
@@ -54,14 +55,8 @@ MotionTrajectory<double> long_horizon_motion(const MotionProblem<double>& proble
       trajectory.status = RunStatus::not_finite;
       break;
     }
-    const Quaternion<double> spin = steady_turn(2, release.w_XB_B[2], times[i]);
-    MotionSample<double> sample;
-    sample.t_s = problem.times_s[i];
-    sample.q_LB = last * spin;
-    sample.w_LB_B = transposed_times(rotation_matrix(spin),
-                                     Vec3<double>(seen.across.re, seen.across.im, release.w_XB_B[2] + seen.spin_excess));
-    for (int k = 0; k < 3; ++k) sample.w_LB_B[k] = problem.units.rate_to_rad_s(sample.w_LB_B[k]);
-    trajectory.samples.push_back(sample);
+    trajectory.samples.push_back(
+        sample_with_spin(problem, i, last, seen.across, release.w_XB_B[2], seen.spin_excess, times[i]));
   }
   return trajectory;
 }

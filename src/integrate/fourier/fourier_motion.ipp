@@ -29,13 +29,9 @@ MotionTrajectory<T> fourier_motion(const MotionProblem<T>& problem, const Watch&
     }
     ++trajectory.counters.accepted, ++trajectory.counters.evaluations;
     const SpinlessPair<T> pair = top.at(times[i]);
-    const Quaternion<T> spin = steady_turn(2, release.w_XB_B[2], times[i]);
     const Quaternion<T> e = Quaternion<T>{pair.e_w, Vec3<T>(problem.model.epsilon * pair.y)}.normalized();
-    MotionSample<T> sample{
-        T(problem.times_s[i]), pair.ref_q_LF * e * spin,
-        transposed_times(rotation_matrix(spin), Vec3<T>(pair.across.re, pair.across.im, release.w_XB_B[2] + pair.spin_excess))};
-    for (int k = 0; k < 3; ++k) sample.w_LB_B[k] = problem.units.rate_to_rad_s(sample.w_LB_B[k]);
-    trajectory.samples.push_back(sample);
+    trajectory.samples.push_back(sample_with_spin(problem, i, Quaternion<T>(pair.ref_q_LF * e), pair.across, release.w_XB_B[2],
+                                                  pair.spin_excess, times[i]));
   }
   return trajectory;
 }
