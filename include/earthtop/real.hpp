@@ -1,71 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The scalar types over which every formula of earthtop is a template: double, long double and float128 (113-bit significand).
-///
-/// `__float128` is a built-in type of the compiler. Its functions are declared here instead of taken from quadmath.h, which
-/// clang does not find; libquadmath defines them.
+/// The scalar types over which every formula of earthtop is a template: double, float80 (a significand of 64 bits: `long double` on
+/// x86) and float128 (113 bits).
 #pragma once
 
 #include <cmath>
 #include <limits>
 
 #include "earthtop/elementary.hpp"
-
-#ifdef __wasm__  // clang has no __float128 there
-#include <earthtop_float128.hpp>
+#include "earthtop/float128.hpp"
+#include "earthtop/float80.hpp"
 
 namespace earthtop {
-#else
-namespace earthtop {
-
-using float128 = __float128;
-
-extern "C" {
-float128 sqrtq(float128) noexcept;
-float128 fmaq(float128, float128, float128) noexcept;
-float128 roundq(float128) noexcept;
-float128 sinq(float128) noexcept;
-float128 cosq(float128) noexcept;
-float128 asinq(float128) noexcept;
-float128 atan2q(float128, float128) noexcept;
-float128 fmodq(float128, float128) noexcept;
-float128 powq(float128, float128) noexcept;
-float128 logq(float128) noexcept;
-float128 expq(float128) noexcept;
-float128 expm1q(float128) noexcept;
-float128 rintq(float128) noexcept;
-float128 scalbnq(float128, int) noexcept;
-float128 frexpq(float128, int*) noexcept;
-int finiteq(float128) noexcept;
-}
-#endif
 
 /// Elementary functions with one name for every scalar type; angles in rad. Those of double are in elementary.hpp. Those of
-/// float128 are libquadmath's, which run the same code on all processors. Those of long double influence double results, too,
-/// because the closed forms are set up in long double. Most are the C library's, written in C. A few of the C library's are
-/// processor instructions, whose last place differs between two processor makers: for these the float128 function is rounded to
-/// long double. The exponential function, which every closed form calls, is the project's own, in plain arithmetic.
+/// float128 are libquadmath's, which run the same code on all processors. Those of float80 influence double results, too, because
+/// the closed forms are set up in float80. The C library's differ in the last place between processors. So those that are called
+/// often, sine, cosine and exponential function, are the project's own, in plain arithmetic; of the others the float128 function is
+/// rounded to float80.
 namespace real {
 
-using std::fma;
-using std::fmod;
-using std::isfinite;
-using std::rint;
-using std::round;
-using std::sqrt;
+inline double fma(double x, double y, double z) { return std::fma(x, y, z); }
+inline double fmod(double x, double y) { return std::fmod(x, y); }
+inline bool isfinite(double x) { return std::isfinite(x); }
+inline double rint(double x) { return std::rint(x); }
+inline double round(double x) { return std::round(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
 
 template <class T>
 constexpr T abs(T x) {
   return x < T(0) ? -x : x;
 }
-inline long double asin(long double x) { return std::asin(x); }
-inline long double atan2(long double y, long double x) { return static_cast<long double>(atan2q(y, x)); }
-inline long double cos(long double x) { return std::cos(x); }
-/// Rounds to within 0.53 units in the last place, for arguments up to 11000; beyond, as libquadmath's does.
-long double exp(long double x) noexcept;
-inline long double expm1(long double x) { return static_cast<long double>(expm1q(x)); }
-inline long double log(long double x) { return static_cast<long double>(logq(x)); }
-inline long double pow(long double x, long double y) { return std::pow(x, y); }
-inline long double sin(long double x) { return std::sin(x); }
+inline float80 asin(float80 x) { return static_cast<float80>(asinq(static_cast<float128>(x))); }
+inline float80 atan2(float80 y, float80 x) {
+  return static_cast<float80>(atan2q(static_cast<float128>(y), static_cast<float128>(x)));
+}
+/// To within 0.53 units in the last place, for arguments up to 11000; beyond, as libquadmath's.
+float80 exp(float80 x) noexcept;
+/// To within 0.75 units in the last place, for arguments up to 1e6; beyond, as libquadmath's.
+SinCos<float80> sin_cos(float80 x) noexcept;
+inline float80 sin(float80 x) noexcept { return sin_cos(x).sin; }
+inline float80 cos(float80 x) noexcept { return sin_cos(x).cos; }
+inline float80 expm1(float80 x) { return static_cast<float80>(expm1q(static_cast<float128>(x))); }
+inline float80 fma(float80 x, float80 y, float80 z) {
+  using std::fma;
+  return fma(x, y, z);
+}
+inline float80 fmod(float80 x, float80 y) {
+  using std::fmod;
+  return fmod(x, y);
+}
+inline bool isfinite(float80 x) {
+  using std::isfinite;
+  return isfinite(x);
+}
+inline float80 log(float80 x) { return static_cast<float80>(logq(static_cast<float128>(x))); }
+inline float80 pow(float80 x, float80 y) {
+  return static_cast<float80>(powq(static_cast<float128>(x), static_cast<float128>(y)));
+}
+inline float80 rint(float80 x) {
+  using std::rint;
+  return rint(x);
+}
+inline float80 round(float80 x) {
+  using std::round;
+  return round(x);
+}
+inline float80 sqrt(float80 x) {
+  using std::sqrt;
+  return sqrt(x);
+}
 inline float128 asin(float128 x) { return asinq(x); }
 inline float128 atan2(float128 y, float128 x) { return atan2q(y, x); }
 inline float128 cos(float128 x) { return cosq(x); }
@@ -88,7 +91,10 @@ SinCos<T> sin_cos(T x) {
 
 /// x * 2^exponent, exact unless it overflows or underflows.
 inline double scale(double x, int exponent) { return std::scalbn(x, exponent); }
-inline long double scale(long double x, int exponent) { return std::scalbn(x, exponent); }
+inline float80 scale(float80 x, int exponent) {
+  using std::scalbn;
+  return scalbn(x, exponent);
+}
 inline float128 scale(float128 x, int exponent) { return scalbnq(x, exponent); }
 
 /// The distance from 1 to the next larger number: twice the unit round-off.
@@ -116,8 +122,8 @@ constexpr double pi_rest() {
   return 1.2246467991473531772e-16;
 }
 template <>
-constexpr long double pi_rest() {
-  return -5.0165576126683320236e-20L;
+constexpr float80 pi_rest() {
+  return float80(-5.0165576126683320236e-20L);
 }
 template <>
 constexpr float128 pi_rest() {

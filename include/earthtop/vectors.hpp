@@ -58,6 +58,7 @@ Mat3<T> cross_matrix(const Vec3<T>& v) {
 
 }  // namespace earthtop
 
+#ifdef __SIZEOF_FLOAT128__
 namespace Eigen {
 template <>
 struct NumTraits<earthtop::float128> : GenericNumTraits<double> {
@@ -69,3 +70,4 @@ struct NumTraits<earthtop::float128> : GenericNumTraits<double> {
   static earthtop::float128 dummy_precision() { return 16 * epsilon(); }
 };
 }  // namespace Eigen
+#endif

@@ -111,7 +111,7 @@ void prepare(const Contender& contender, const Scene& scene, const std::vector<d
   if (contender.peer) return prepare_peer(contender, scene, times_s, most_seconds, racer);
   switch (contender.precision) {
     case Precision::bits53: return prepare<double>(contender, scene, times_s, most_seconds, racer);
-    case Precision::bits64: return prepare<long double>(contender, scene, times_s, most_seconds, racer);
+    case Precision::bits64: return prepare<float80>(contender, scene, times_s, most_seconds, racer);
     case Precision::bits113: return prepare<float128>(contender, scene, times_s, most_seconds, racer);
   }
 }

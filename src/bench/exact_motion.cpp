@@ -21,7 +21,7 @@ ExactLaboratoryMotion<T> exact_laboratory_motion(const Scene& scene) {
   };
 }
 template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scene&);
-template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scene&);
+template ExactLaboratoryMotion<float80> exact_laboratory_motion(const Scene&);
 template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scene&);
 
 }  // namespace earthtop

@@ -18,7 +18,7 @@ using ExactLaboratoryMotion = std::function<LaboratoryState<T>(T)>;
 template <class T>
 ExactLaboratoryMotion<T> exact_laboratory_motion(const Scene& scene);
 extern template ExactLaboratoryMotion<double> exact_laboratory_motion(const Scene&);
-extern template ExactLaboratoryMotion<long double> exact_laboratory_motion(const Scene&);
+extern template ExactLaboratoryMotion<float80> exact_laboratory_motion(const Scene&);
 extern template ExactLaboratoryMotion<float128> exact_laboratory_motion(const Scene&);
 
 }  // namespace earthtop

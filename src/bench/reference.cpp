@@ -75,7 +75,7 @@ std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<
 std::vector<Checkpoint> integrate_exactly(const Scene& scene, const std::vector<double>& times_s, const Recipe& recipe,
                                           double tolerance, Precision precision, const Watch& watch) {
   if (precision == Precision::bits113) return integrate_exactly<float128>(scene, times_s, recipe, tolerance, watch);
-  return integrate_exactly<long double>(scene, times_s, recipe, tolerance, watch);
+  return integrate_exactly<float80>(scene, times_s, recipe, tolerance, watch);
 }
 
 /// Both motions in closed form, and the angle between their axes. It is found by subtracting them, for which 113 bits are

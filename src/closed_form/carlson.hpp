@@ -48,7 +48,7 @@ T carlson_rc(T x, T y) {
 /// 1/(2N + 1) times the N-th coefficient of (1 + E2 t^2 - E3 t^3)^(-1/2) (DLMF 19.19.7), whose next order is below eps / 20.
 template <class T>
 T carlson_rf(T x, T y, T z) {
-  constexpr T per_tolerance = std::is_same_v<T, float128> ? T(650) : std::is_same_v<T, long double> ? T(39) : T(21);
+  constexpr T per_tolerance = std::is_same_v<T, float128> ? T(650) : std::is_same_v<T, float80> ? T(39) : T(21);
   T mean = (x + y + z) / T(3), scale = T(1);
   const T dx = mean - x, dy = mean - y;
   const T far = per_tolerance * largest(largest(real::abs(dx), real::abs(dy)), real::abs(dx + dy));

@@ -43,7 +43,7 @@ ExactKind exact_kind(const Model<T>& model) {
   return stands_still ? ExactKind::symmetric_top : ExactKind::turning_gravity;
 }
 template ExactKind exact_kind(const Model<double>&);
-template ExactKind exact_kind(const Model<long double>&);
+template ExactKind exact_kind(const Model<float80>&);
 template ExactKind exact_kind(const Model<float128>&);
 
 template <class T>
@@ -70,7 +70,7 @@ ExactBody<T> exact_body(const Model<T>& model) {
   return body;
 }
 template ExactBody<double> exact_body(const Model<double>&);
-template ExactBody<long double> exact_body(const Model<long double>&);
+template ExactBody<float80> exact_body(const Model<float80>&);
 template ExactBody<float128> exact_body(const Model<float128>&);
 
 namespace {
@@ -122,7 +122,7 @@ Quaternion<T> ExactMotion<T>::despun(const Quaternion<T>& q_NB, T t) const {
 }
 
 template class ExactMotion<double>;
-template class ExactMotion<long double>;
+template class ExactMotion<float80>;
 template class ExactMotion<float128>;
 
 }  // namespace earthtop

@@ -208,7 +208,7 @@ ClosedFormState<T> FreeBody<T>::at(T t_s) const {
 }
 
 template class FreeBody<double>;
-template class FreeBody<long double>;
+template class FreeBody<float80>;
 template class FreeBody<float128>;
 
 }  // namespace earthtop

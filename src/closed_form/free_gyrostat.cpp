@@ -371,7 +371,7 @@ AxialTurn<T> FreeGyrostat<T>::axial_turn(T t_s) const {
 }
 
 template class FreeGyrostat<double>;
-template class FreeGyrostat<long double>;
+template class FreeGyrostat<float80>;
 template class FreeGyrostat<float128>;
 
 }  // namespace earthtop

@@ -41,16 +41,16 @@ template <class T>
 T minus_square(T x, T y) {
   return -real::fma(y, y, -x);
 }
-/// The same for long double, which has no fused multiply-add in hardware: the square as an exact sum (T. J. Dekker, Numer.
+/// The same for float80, which has no fused multiply-add in hardware: the square as an exact sum (T. J. Dekker, Numer.
 /// Math. 18 (1971) 224) and a sum with its rounding error (Knuth). For numbers that come from doubles nothing overflows or
 /// underflows here.
 template <>
-inline long double minus_square(long double x, long double y) {
-  constexpr long double kSplitter = 4294967297.0L;  // 2^32 + 1: halves of 32 bits
-  const long double c = kSplitter * y, high = c - (c - y), low = y - high;
-  const long double square = y * y, square_rest = ((high * high - square) + 2 * high * low) + low * low;
-  const long double difference = x - square, shared = difference - x;
-  const long double rest = (x - (difference - shared)) - (square + shared);
+inline float80 minus_square(float80 x, float80 y) {
+  constexpr float80 kSplitter = 4294967297.0;  // 2^32 + 1: halves of 32 bits
+  const float80 c = kSplitter * y, high = c - (c - y), low = y - high;
+  const float80 square = y * y, square_rest = ((high * high - square) + 2 * high * low) + low * low;
+  const float80 difference = x - square, shared = difference - x;
+  const float80 rest = (x - (difference - shared)) - (square + shared);
   return difference + (rest - square_rest);
 }
 

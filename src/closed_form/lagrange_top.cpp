@@ -367,7 +367,7 @@ T LagrangeTop<T>::nutation_period_s() const {
 }
 
 template class LagrangeTop<double>;
-template class LagrangeTop<long double>;
+template class LagrangeTop<float80>;
 template class LagrangeTop<float128>;
 
 }  // namespace earthtop

@@ -11,7 +11,7 @@ namespace earthtop {
 namespace {
 
 using Q = float128;
-using L = long double;
+using L = float80;
 using Constants = BasicTopConstants<Q>;
 
 /// The motion seen from the pole next to it, u = pole (1 - v): (dv/dt)^2 = steepness (v - least)(greatest - v)(v - third) .

@@ -19,7 +19,7 @@ struct UnitPhasor {
 template <class T>
 struct PrecessionTheta {
   /// The n-th term is at most exp(-pi n^2 / 2) times the first.
-  static constexpr int kTerms = std::is_same_v<T, float128> ? 8 : std::is_same_v<T, long double> ? 6 : 5;
+  static constexpr int kTerms = std::is_same_v<T, float128> ? 8 : std::is_same_v<T, float80> ? 6 : 5;
 
   bool hyperbolic = false;
   T span = T(0);

@@ -217,7 +217,7 @@ FirstOrder<T> foucault_rate(const SymmetricTop<T>& top, T amplitude, const Vec3<
   template Vec3<T> resting_axis_L(const SymmetricTop<T>&, T, const Vec3<T>&);                       \
   template FirstOrder<T> foucault_rate(const SymmetricTop<T>&, T, const Vec3<T>&);
 EARTHTOP_INSTANTIATE(double)
-EARTHTOP_INSTANTIATE(long double)
+EARTHTOP_INSTANTIATE(float80)
 EARTHTOP_INSTANTIATE(float128)
 #undef EARTHTOP_INSTANTIATE
 // NOLINTEND(bugprone-macro-parentheses)

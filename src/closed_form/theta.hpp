@@ -15,9 +15,9 @@ namespace earthtop::elliptic {
 /// Number of terms n = 0, 1, ... of a theta series that matter: the n-th is at most exp(-pi (n^2 - n)) times the first, a bound
 /// that is reached at the end of the hyperbolic range.
 template <class T>
-inline constexpr int kThetaTerms = std::is_same_v<T, float128>      ? 6
-                                   : std::is_same_v<T, long double> ? 5
-                                                                    : 4;
+inline constexpr int kThetaTerms = std::is_same_v<T, float128>  ? 6
+                                   : std::is_same_v<T, float80> ? 5
+                                                                : 4;
 
 /// The nome of a parameter m <= 1/2, with a relative error of a few eps down to m = 0, by Weierstrass's series in (1 - sqrt k')
 /// / (1 + sqrt k') / 2 (Whittaker & Watson 21.8).

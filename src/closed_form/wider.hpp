@@ -13,11 +13,11 @@ struct WiderScalar {
 };
 template <>
 struct WiderScalar<double> {
-  using type = long double;
+  using type = float80;
 };
 }  // namespace detail
 
-/// double -> long double -> float128 -> float128. A phase of 1e9 rad computed in it keeps every digit of T, and squares of the
+/// double -> float80 -> float128 -> float128. A phase of 1e9 rad computed in it keeps every digit of T, and squares of the
 /// largest and the smallest doubles neither overflow nor underflow.
 template <class T>
 using Wider = typename detail::WiderScalar<T>::type;

@@ -167,8 +167,7 @@ DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const Integ
   return drift_at_any_time(pair, problem, times, options, watch);
 }
 template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
-template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                        const Watch&);
+template DriftTrajectory<float80> closed_form_drift(const DriftProblem<float80>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 
 }  // namespace earthtop

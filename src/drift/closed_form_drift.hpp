@@ -16,8 +16,8 @@ namespace earthtop {
 template <class T>
 DriftTrajectory<T> closed_form_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);
 extern template DriftTrajectory<double> closed_form_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
-extern template DriftTrajectory<long double> closed_form_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                               const Watch&);
+extern template DriftTrajectory<float80> closed_form_drift(const DriftProblem<float80>&, const IntegrationOptions&,
+                                                           const Watch&);
 extern template DriftTrajectory<float128> closed_form_drift(const DriftProblem<float128>&, const IntegrationOptions&,
                                                             const Watch&);
 

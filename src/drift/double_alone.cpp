@@ -47,7 +47,7 @@ DriftTrajectory<T> integrate_contact(const DriftProblem<T>&, const IntegrationOp
                                                 const Watch&);                                                    \
   template DriftTrajectory<T> integrate_drift(const DriftProblem<T>&, const IntegrationOptions&, const Watch&);   \
   template DriftTrajectory<T> integrate_contact(const DriftProblem<T>&, const IntegrationOptions&, const Watch&);
-EARTHTOP_REFUSE(long double)
+EARTHTOP_REFUSE(float80)
 EARTHTOP_REFUSE(float128)
 
 }  // namespace earthtop

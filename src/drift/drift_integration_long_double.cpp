@@ -4,6 +4,5 @@
 #include "drift/drift_integration.ipp"
 
 namespace earthtop {
-template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                      const Watch&);
+template DriftTrajectory<float80> integrate_drift(const DriftProblem<float80>&, const IntegrationOptions&, const Watch&);
 }  // namespace earthtop

@@ -2,6 +2,6 @@
 #include "drift/fourier_drift.ipp"
 
 namespace earthtop {
-template DriftTrajectory<long double> fourier_drift(const DriftProblem<long double>&, const IntegrationOptions&, const Watch&);
+template DriftTrajectory<float80> fourier_drift(const DriftProblem<float80>&, const IntegrationOptions&, const Watch&);
 template DriftTrajectory<float128> fourier_drift(const DriftProblem<float128>&, const IntegrationOptions&, const Watch&);
 }  // namespace earthtop

@@ -128,7 +128,7 @@ AngleSpline<T> AngleSpline<T>::in_time_units(int time_exponent) const {
 }
 
 template class AngleSpline<double>;
-template class AngleSpline<long double>;
+template class AngleSpline<float80>;
 template class AngleSpline<float128>;
 
 }  // namespace earthtop

@@ -22,7 +22,7 @@ Vec3<T> corrected_celestial_axis_L(const Site& site) {
   return celestial_axis_L<T>(site, site.pole, site.deflection);
 }
 template Vec3<double> corrected_celestial_axis_L(const Site&);
-template Vec3<long double> corrected_celestial_axis_L(const Site&);
+template Vec3<float80> corrected_celestial_axis_L(const Site&);
 template Vec3<float128> corrected_celestial_axis_L(const Site&);
 
 }  // namespace earthtop

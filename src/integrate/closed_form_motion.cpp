@@ -36,8 +36,7 @@ MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const In
 }
 
 template MotionTrajectory<double> closed_form_motion(const MotionProblem<double>&, const IntegrationOptions&, const Watch&);
-template MotionTrajectory<long double> closed_form_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                          const Watch&);
+template MotionTrajectory<float80> closed_form_motion(const MotionProblem<float80>&, const IntegrationOptions&, const Watch&);
 template MotionTrajectory<float128> closed_form_motion(const MotionProblem<float128>&, const IntegrationOptions&, const Watch&);
 
 }  // namespace earthtop

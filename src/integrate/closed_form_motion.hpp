@@ -11,8 +11,8 @@ template <class T>
 MotionTrajectory<T> closed_form_motion(const MotionProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);
 extern template MotionTrajectory<double> closed_form_motion(const MotionProblem<double>&, const IntegrationOptions&,
                                                             const Watch&);
-extern template MotionTrajectory<long double> closed_form_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                                 const Watch&);
+extern template MotionTrajectory<float80> closed_form_motion(const MotionProblem<float80>&, const IntegrationOptions&,
+                                                             const Watch&);
 extern template MotionTrajectory<float128> closed_form_motion(const MotionProblem<float128>&, const IntegrationOptions&,
                                                               const Watch&);
 

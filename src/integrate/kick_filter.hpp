@@ -72,7 +72,7 @@ KickFilter<T> coarse(T period, int spacing = 1) {
 
 /// Returns the solution of A x = b, by Gauss's elimination with a search for the pivot.
 template <std::size_t N>
-std::array<long double, N> solved(std::array<std::array<long double, N>, N> A, std::array<long double, N> b) {
+std::array<float80, N> solved(std::array<std::array<float80, N>, N> A, std::array<float80, N> b) {
   for (std::size_t c = 0; c < N; ++c) {
     std::size_t pivot = c;
     for (std::size_t r = c + 1; r < N; ++r)
@@ -81,7 +81,7 @@ std::array<long double, N> solved(std::array<std::array<long double, N>, N> A, s
     std::swap(b[c], b[pivot]);
     for (std::size_t r = 0; r < N; ++r) {
       if (r == c) continue;
-      const long double times = A[r][c] / A[c][c];
+      const float80 times = A[r][c] / A[c][c];
       for (std::size_t k = c; k < N; ++k) A[r][k] -= times * A[c][k];
       b[r] -= times * b[c];
     }
@@ -94,22 +94,22 @@ std::array<long double, N> solved(std::array<std::array<long double, N>, N> A, s
 template <class T>
 KickFilter<T> fine(T period, T ratio, int spacing = 1) {
   // In units of the period. A slower precession counts as none, but its equations are nearly dependent.
-  constexpr long double kLeastRatio = 1e-3L;
-  const long double n = 2 * real::pi<long double>();
-  const long double p = n * std::max(static_cast<long double>(ratio), kLeastRatio);
+  constexpr float80 kLeastRatio{1e-3L};
+  const float80 n = 2 * real::pi<float80>();
+  const float80 p = n * std::max(static_cast<float80>(ratio), kLeastRatio);
   KickFilter<T> f;
   f.period = period;
   f.spacing = spacing;
   f.parts = 17;
   constexpr std::size_t kHalf = 8, kUnknown = kHalf;
-  const long double apart = spacing / 5.0L;
+  const float80 apart = spacing / 5;
   // To parts at fifths of the period, the third and fourth harmonics are the second and first ones backward.
-  const std::array<std::pair<long double, long double>, kUnknown> responses{
+  const std::array<std::pair<float80, float80>, kUnknown> responses{
       {{0, 1}, {p, 1}, {n - p, 0}, {n, 0}, {n + p, 0}, {2 * n - p, 0}, {2 * n, 0}, {2 * n + p, 0}}};
-  std::array<std::array<long double, kUnknown>, kUnknown> A{};
-  std::array<long double, kUnknown> b{}, of_last{};
-  const auto response_to = [&](long double frequency, std::size_t s) {
-    return s == 0 ? 1 : 2 * real::cos(frequency * apart * static_cast<long double>(s));
+  std::array<std::array<float80, kUnknown>, kUnknown> A{};
+  std::array<float80, kUnknown> b{}, of_last{};
+  const auto response_to = [&](float80 frequency, std::size_t s) {
+    return s == 0 ? float80(1) : 2 * real::cos(frequency * apart * static_cast<float80>(s));
   };
   for (std::size_t i = 0; i < kUnknown; ++i) {
     const auto [frequency, response] = responses[i];
@@ -121,25 +121,25 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
   // in it: it is the smaller root of the latter.
   const auto without_last = solved<kUnknown>(A, b), for_last = solved<kUnknown>(A, of_last);
   constexpr std::size_t kParts = 2 * kHalf + 1;
-  const auto offset = [](std::size_t part) { return static_cast<long double>(part) - static_cast<long double>(kHalf); };
-  const auto weights = [&](long double last) {
-    std::array<long double, kParts> c{};
+  const auto offset = [](std::size_t part) { return static_cast<float80>(part) - static_cast<float80>(kHalf); };
+  const auto weights = [&](float80 last) {
+    std::array<float80, kParts> c{};
     for (std::size_t i = 0; i < kParts; ++i) {
       const std::size_t s = i < kHalf ? kHalf - i : i - kHalf;
       c[i] = s == kHalf ? last : without_last[s] + last * for_last[s];
     }
     return c;
   };
-  std::array<long double, kParts> sine{};  // of the nutation's phase over this many intervals
-  for (std::size_t i = 0; i < kParts; ++i) sine[i] = real::sin(n * apart * static_cast<long double>(i));
-  const auto secular = [&](const std::array<long double, kParts>& c) {
-    long double sum = 0;
+  std::array<float80, kParts> sine{};  // of the nutation's phase over this many intervals
+  for (std::size_t i = 0; i < kParts; ++i) sine[i] = real::sin(n * apart * static_cast<float80>(i));
+  const auto secular = [&](const std::array<float80, kParts>& c) {
+    float80 sum = 0;
     for (std::size_t i = 0; i < kParts; ++i)
       for (std::size_t j = 0; j < i; ++j) sum += c[i] * c[j] * sine[i - j];
     return sum;
   };
-  const auto resonant = [&](const std::array<long double, kParts>& c) {
-    long double sum = 0;
+  const auto resonant = [&](const std::array<float80, kParts>& c) {
+    float80 sum = 0;
     for (std::size_t i = 0; i < kParts; ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const auto phase_sine = [&](std::size_t part) { return part < kHalf ? -sine[kHalf - part] : sine[part - kHalf]; };
@@ -147,9 +147,9 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
       }
     return sum;
   };
-  const long double at_0 = resonant(weights(0)), at_1 = resonant(weights(1)), at_minus_1 = resonant(weights(-1));
-  const long double half_slope = (at_1 - at_minus_1) / 4, square = (at_1 + at_minus_1) / 2 - at_0;
-  const long double root = real::sqrt(std::max(half_slope * half_slope - square * at_0, 0.0L));
+  const float80 at_0 = resonant(weights(0)), at_1 = resonant(weights(1)), at_minus_1 = resonant(weights(-1));
+  const float80 half_slope = (at_1 - at_minus_1) / 4, square = (at_1 + at_minus_1) / 2 - at_0;
+  const float80 root = real::sqrt(std::max(half_slope * half_slope - square * at_0, float80(0)));
   const auto c = weights(-at_0 / (half_slope + (half_slope < 0 ? -root : root)));
   for (std::size_t i = 0; i < kParts; ++i) {
     f.at[i] = T(offset(i) * apart) * period;
@@ -159,24 +159,24 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
   f.second_order = T(1 / (n * secular(c))) * period;
 
   constexpr std::size_t kPairs = 8;
-  const std::array<std::pair<long double, long double>, kPairs> ripples{{{p, 0},
-                                                                         {n - p, 1 / (n - p)},
-                                                                         {n, 1 / n},
-                                                                         {n + p, 1 / (n + p)},
-                                                                         {2 * n - p, 1 / (2 * n - p)},
-                                                                         {2 * n, 1 / (2 * n)},
-                                                                         {2 * n + p, 1 / (2 * n + p)},
-                                                                         {3 * n, 1 / (3 * n)}}};
-  std::array<std::array<long double, kPairs>, kPairs> R{};
-  std::array<long double, kPairs> d{};
+  const std::array<std::pair<float80, float80>, kPairs> ripples{{{p, 0},
+                                                                 {n - p, 1 / (n - p)},
+                                                                 {n, 1 / n},
+                                                                 {n + p, 1 / (n + p)},
+                                                                 {2 * n - p, 1 / (2 * n - p)},
+                                                                 {2 * n, 1 / (2 * n)},
+                                                                 {2 * n + p, 1 / (2 * n + p)},
+                                                                 {3 * n, 1 / (3 * n)}}};
+  std::array<std::array<float80, kPairs>, kPairs> R{};
+  std::array<float80, kPairs> d{};
   for (std::size_t i = 0; i < kPairs; ++i) {
-    for (std::size_t s = 0; s < kPairs; ++s) R[i][s] = 2 * real::sin(ripples[i].first * static_cast<long double>(s + 1) / 7);
+    for (std::size_t s = 0; s < kPairs; ++s) R[i][s] = 2 * real::sin(ripples[i].first * static_cast<float80>(s + 1) / 7);
     d[i] = -ripples[i].second;
   }
   const auto a = solved<kPairs>(R, d);
   f.ripples = kPairs;
   for (std::size_t s = 0; s < kPairs; ++s) {
-    f.ripple_at[s] = T(static_cast<long double>(s + 1) / 7) * period;
+    f.ripple_at[s] = T(static_cast<float80>(s + 1) / 7) * period;
     f.ripple_weight[s] = T(a[s]) * period;
   }
   return f;

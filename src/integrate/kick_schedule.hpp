@@ -30,11 +30,11 @@ inline KickSchedule gauss(int kicks) {
   schedule.kicks = kicks;
   for (int i = 0; i < (kicks + 1) / 2; ++i) {
     // Newton's method on [-1, 1], which starts between the two extrema beside the root.
-    long double x = real::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (kicks + 0.5L)), slope = 1;
+    float80 x = real::cos(real::pi<float80>() * (i + 0.75) / (kicks + 0.5)), slope = 1;
     for (int iteration = 0; iteration < 8; ++iteration) {
-      long double value = 1, before = 0;
+      float80 value = 1, before = 0;
       for (int j = 0; j < kicks; ++j) {
-        const long double next = ((2 * j + 1) * x * value - j * before) / (j + 1);
+        const float80 next = ((2 * j + 1) * x * value - j * before) / (j + 1);
         before = value;
         value = next;
       }

@@ -4,6 +4,6 @@
 #include "integrate/motion_integration.ipp"
 
 namespace earthtop {
-template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                        MotionSought, const Watch&);
+template MotionTrajectory<float80> integrate_motion(const MotionProblem<float80>&, const IntegrationOptions&, MotionSought,
+                                                    const Watch&);
 }  // namespace earthtop

@@ -69,9 +69,9 @@ class SplittingStepper {
       all[i] *= dt;
       if (std::abs(all[i]) < std::abs(all[shortest])) shortest = i;
     }
-    long double rest = dt;
+    float80 rest = dt;
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (i != shortest) rest -= static_cast<long double>(all[i]);
+      if (i != shortest) rest -= static_cast<float80>(all[i]);
     all[shortest] = static_cast<double>(rest);
     return all;
   }

@@ -164,6 +164,6 @@ typename TiltedTop<T>::Seen TiltedTop<T>::seen(const TiltedTopState<T>& x, T t) 
 }
 
 template class TiltedTop<double>;
-template class TiltedTop<long double>;
+template class TiltedTop<float80>;
 
 }  // namespace earthtop

@@ -111,6 +111,6 @@ class TiltedTop {
 };
 
 extern template class TiltedTop<double>;
-extern template class TiltedTop<long double>;
+extern template class TiltedTop<float80>;
 
 }  // namespace earthtop

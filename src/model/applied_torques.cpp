@@ -89,7 +89,7 @@ AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Sit
   return applied;
 }
 template AppliedTorques<double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
-template AppliedTorques<long double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+template AppliedTorques<float80> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 template AppliedTorques<float128> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 
 }  // namespace earthtop

@@ -88,7 +88,7 @@ Body<T> make_body(const BodySpec& spec) {
   return body;
 }
 template Body<double> make_body(const BodySpec&);
-template Body<long double> make_body(const BodySpec&);
+template Body<float80> make_body(const BodySpec&);
 template Body<float128> make_body(const BodySpec&);
 
 std::string missing_moments(const Mat3<double>& inertia) {
@@ -102,15 +102,15 @@ std::string missing_moments(const Mat3<double>& inertia) {
 }
 
 std::vector<Diagnostic> body_violations(const BodySpec& spec, bool has_rotor) {
-  using Matrix = Mat3<long double>;
-  const auto body = make_body<long double>(spec);
-  if (!(body.mass > 0) || !std::isfinite(body.mass) || !std::isfinite(norm(body.p_PBcm_B)))
+  using Matrix = Mat3<float80>;
+  const auto body = make_body<float80>(spec);
+  if (!(body.mass > 0) || !real::isfinite(body.mass) || !real::isfinite(norm(body.p_PBcm_B)))
     return {{0, 0, "/body", "the mass must be positive and the centre of mass finite"}};
   const char* place = spec.solids.empty() ? "/body/inertia" : "/body/solids";
   const Eigen::SelfAdjointEigenSolver<Matrix> at_pivot(body.I_BP_B, Eigen::EigenvaluesOnly);
-  const long double largest = at_pivot.eigenvalues()[2], smallest = at_pivot.eigenvalues()[0];
-  const long double slack = 32 * static_cast<long double>(real::epsilon<double>()) * std::abs(largest);
-  if (!std::isfinite(largest) || !(largest > 0 || (has_rotor && largest == 0)))
+  const float80 largest = at_pivot.eigenvalues()[2], smallest = at_pivot.eigenvalues()[0];
+  const float80 slack = 32 * static_cast<float80>(real::epsilon<double>()) * real::abs(largest);
+  if (!real::isfinite(largest) || !(largest > 0 || (has_rotor && largest == 0)))
     return {{0, 0, place, "the inertia tensor is not that of a body; the moments must be positive and finite"}};
   std::vector<Diagnostic> violations;
   if (!has_rotor && !(smallest > 0)) {

@@ -39,7 +39,7 @@ Quaternion<T> table_attitude(double tilt_deg, double azimuth_deg) {
   return {half.cos, Vec3<T>(-half.sin * azimuth.cos, half.sin * azimuth.sin, T(0))};
 }
 template Quaternion<double> table_attitude(double, double);
-template Quaternion<long double> table_attitude(double, double);
+template Quaternion<float80> table_attitude(double, double);
 template Quaternion<float128> table_attitude(double, double);
 
 template <class T>
@@ -54,7 +54,7 @@ Contact<T> in_units(Contact<T> c, const NaturalUnits& units) {
   return c;
 }
 template Contact<double> in_units(Contact<double>, const NaturalUnits&);
-template Contact<long double> in_units(Contact<long double>, const NaturalUnits&);
+template Contact<float80> in_units(Contact<float80>, const NaturalUnits&);
 template Contact<float128> in_units(Contact<float128>, const NaturalUnits&);
 
 template <class T>
@@ -98,8 +98,8 @@ Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site
 }
 template Contact<double> make_contact(const ContactSpec&, const Body<double>&, const Site&, const TorqueWeights<double>&,
                                       const GravityGradientSpec*, const NaturalUnits&);
-template Contact<long double> make_contact(const ContactSpec&, const Body<long double>&, const Site&,
-                                           const TorqueWeights<long double>&, const GravityGradientSpec*, const NaturalUnits&);
+template Contact<float80> make_contact(const ContactSpec&, const Body<float80>&, const Site&, const TorqueWeights<float80>&,
+                                       const GravityGradientSpec*, const NaturalUnits&);
 template Contact<float128> make_contact(const ContactSpec&, const Body<float128>&, const Site&, const TorqueWeights<float128>&,
                                         const GravityGradientSpec*, const NaturalUnits&);
 

@@ -83,7 +83,7 @@ Gimbals<T> in_units(Gimbals<T> gimbals, int mass, int time) {
   template Gimbals<T> make_gimbals(const GimbalsSpec&, const GimbalReleaseSpec&, const std::vector<MovingMassSpec>&, bool); \
   template Gimbals<T> in_units(Gimbals<T>, int, int);
 EARTHTOP_GIMBALS(double)
-EARTHTOP_GIMBALS(long double)
+EARTHTOP_GIMBALS(float80)
 EARTHTOP_GIMBALS(float128)
 #undef EARTHTOP_GIMBALS
 

@@ -157,7 +157,7 @@ void put_gimbals(Model<T>& model, const Gimbals<T>& gimbals, const NaturalUnits&
   template void put_masses(Model<T>&, const std::vector<MovingMassSpec>&, const NaturalUnits&); \
   template void put_gimbals(Model<T>&, const Gimbals<T>&, const NaturalUnits&);
 EARTHTOP_ROTOR(double)
-EARTHTOP_ROTOR(long double)
+EARTHTOP_ROTOR(float80)
 EARTHTOP_ROTOR(float128)
 #undef EARTHTOP_ROTOR
 

@@ -234,8 +234,8 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& given, T t,
 }
 template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
                                           const Vec3<double>&, double);
-template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
-                                               const Quaternion<long double>&, const Vec3<long double>&, long double);
+template LedgerEntry<float80> ledger_entry(LedgerObserver, const Model<float80>&, float80, const Quaternion<float80>&,
+                                           const Vec3<float80>&, float80);
 template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128, const Quaternion<float128>&,
                                             const Vec3<float128>&, float128);
 
@@ -294,7 +294,7 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
   return entry;
 }
 EARTHTOP_LEDGER_ON_TABLE(double);
-EARTHTOP_LEDGER_ON_TABLE(long double);
+EARTHTOP_LEDGER_ON_TABLE(float80);
 EARTHTOP_LEDGER_ON_TABLE(float128);
 
 void LedgerLargest::include(const LedgerRow<double>& row) {

@@ -72,8 +72,8 @@ Model<T> make_model(const Body<T>& body, const Site& site, double earth_rate_rad
 }
 template Model<double> make_model(const Body<double>&, const Site&, double, const TorqueWeights<double>&,
                                   const Platform<double>*, const NaturalUnits&);
-template Model<long double> make_model(const Body<long double>&, const Site&, double, const TorqueWeights<long double>&,
-                                       const Platform<long double>*, const NaturalUnits&);
+template Model<float80> make_model(const Body<float80>&, const Site&, double, const TorqueWeights<float80>&,
+                                   const Platform<float80>*, const NaturalUnits&);
 template Model<float128> make_model(const Body<float128>&, const Site&, double, const TorqueWeights<float128>&,
                                     const Platform<float128>*, const NaturalUnits&);
 

@@ -114,7 +114,7 @@ MovingMasses<T> in_units(MovingMasses<T> masses, int mass_exponent, int time_exp
   template MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrier, bool); \
   template MovingMasses<T> in_units(MovingMasses<T>, int, int);
 EARTHTOP_MASSES(double)
-EARTHTOP_MASSES(long double)
+EARTHTOP_MASSES(float80)
 EARTHTOP_MASSES(float128)
 #undef EARTHTOP_MASSES
 

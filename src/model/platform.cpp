@@ -34,7 +34,7 @@ Platform<T> make_platform(const PlatformSpec& spec) {
   return platform;
 }
 template Platform<double> make_platform(const PlatformSpec&);
-template Platform<long double> make_platform(const PlatformSpec&);
+template Platform<float80> make_platform(const PlatformSpec&);
 template Platform<float128> make_platform(const PlatformSpec&);
 
 }  // namespace earthtop

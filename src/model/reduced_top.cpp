@@ -4,7 +4,7 @@
 namespace earthtop {
 
 template ReducedTop<double> reduced_top(const Model<double>&);
-template ReducedTop<long double> reduced_top(const Model<long double>&);
+template ReducedTop<float80> reduced_top(const Model<float80>&);
 template ReducedTop<float128> reduced_top(const Model<float128>&);
 
 }  // namespace earthtop

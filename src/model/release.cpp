@@ -87,7 +87,7 @@ Quaternion<T> release_attitude(double tilt_deg, double azimuth_deg, double spin_
   return about_axis(2, T(90) - T(azimuth_deg)) * about_axis(1, T(tilt_deg)) * about_axis(2, T(spin_angle_deg));
 }
 template Quaternion<double> release_attitude(double, double, double);
-template Quaternion<long double> release_attitude(double, double, double);
+template Quaternion<float80> release_attitude(double, double, double);
 template Quaternion<float128> release_attitude(double, double, double);
 
 template <class T>
@@ -115,8 +115,7 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
   return which == Precession::steady_fast ? sum / (T(2) * a) : T(2) * mgl / sum;
 }
 template double steady_precession_rate(const Body<double>&, const Quaternion<double>&, double, double, Precession);
-template long double steady_precession_rate(const Body<long double>&, const Quaternion<long double>&, long double, long double,
-                                            Precession);
+template float80 steady_precession_rate(const Body<float80>&, const Quaternion<float80>&, float80, float80, Precession);
 template float128 steady_precession_rate(const Body<float128>&, const Quaternion<float128>&, float128, float128, Precession);
 
 template <class T>
@@ -126,7 +125,7 @@ Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity)
   });
 }
 template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);
-template Release<long double> make_release(const ReleaseSpec&, const Body<long double>&, long double);
+template Release<float80> make_release(const ReleaseSpec&, const Body<float80>&, float80);
 template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
 
 template <class T>
@@ -142,8 +141,7 @@ Release<T> make_release_on_table(const ReleaseSpec& spec, const Contact<T>& cont
   });
 }
 template Release<double> make_release_on_table(const ReleaseSpec&, const Contact<double>&, const Body<double>&, const Site&);
-template Release<long double> make_release_on_table(const ReleaseSpec&, const Contact<long double>&, const Body<long double>&,
-                                                    const Site&);
+template Release<float80> make_release_on_table(const ReleaseSpec&, const Contact<float80>&, const Body<float80>&, const Site&);
 template Release<float128> make_release_on_table(const ReleaseSpec&, const Contact<float128>&, const Body<float128>&,
                                                  const Site&);
 
@@ -152,8 +150,7 @@ Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& con
   return make_release_on_table<T>(spec, make_contact<T>(contact, body, site, {}, nullptr), body, site);
 }
 template Release<double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<double>&, const Site&);
-template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,
-                                                    const Site&);
+template Release<float80> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float80>&, const Site&);
 template Release<float128> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float128>&, const Site&);
 
 }  // namespace earthtop

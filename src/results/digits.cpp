@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace earthtop {
@@ -93,11 +96,33 @@ std::string rounded_decimal(float128 value) {
   return text.insert(static_cast<std::size_t>(whole), 1, '.');
 }
 
+/// The shortest text that reads back to the same number.
 template <class T>
 std::string shortest(T value) {
-  char text[64];  // the longest shortest form of a long double has 28 characters
+  char text[64];  // the longest shortest form of a float80 has 28 characters
   const auto [end, error] = std::to_chars(text, text + sizeof text, value);
   return {text, end};
+}
+
+/// The same where float80 is no type of the language's: as few digits as it needs, written as `std::to_chars` would.
+template <class LongDouble>
+std::string shortest(detail::RoundedTo64Bits<LongDouble> value) {
+  char text[64];
+  const auto written = [&](std::chars_format format, int places) {
+    return std::string(text, std::to_chars(text, text + sizeof text, value.value(), format, places).ptr);
+  };
+  int places = 0;
+  std::string scientific;
+  for (; places < std::numeric_limits<detail::RoundedTo64Bits<LongDouble>>::max_digits10; ++places) {
+    scientific = written(std::chars_format::scientific, places);
+    LongDouble back = 0;
+    std::from_chars(scientific.data(), scientific.data() + scientific.size(), back);
+    if (detail::RoundedTo64Bits<LongDouble>(back) == value) break;
+  }
+  const int power = std::atoi(scientific.c_str() + scientific.find('e') + 1);
+  if (power < -8 || power > 30) return scientific;  // whose other form is longer
+  std::string fixed = written(std::chars_format::fixed, std::max(places - power, 0));
+  return fixed.size() <= scientific.size() ? fixed : scientific;
 }
 
 }  // namespace
@@ -106,7 +131,7 @@ std::string digits(float128 value, Precision precision) {
   if (!real::isfinite(value)) return "";
   switch (precision) {
     case Precision::bits53: return shortest(static_cast<double>(value));
-    case Precision::bits64: return shortest(static_cast<long double>(value));
+    case Precision::bits64: return shortest(static_cast<float80>(value));
     case Precision::bits113: break;
   }
   return fmt::format("{}{}", value < 0 ? "-" : "", rounded_decimal(real::abs(value)));

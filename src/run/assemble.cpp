@@ -369,7 +369,7 @@ RunResult assemble_result(const Scene& scene, TwoIntegrations<T> made, const Run
                          IntegrationReport&);                                                                               \
   template RunResult assemble_result(const Scene&, TwoIntegrations<T>, const RunSeconds&, Parts, const RunOptions&);
 EARTHTOP_ASSEMBLE(double)
-EARTHTOP_ASSEMBLE(long double)
+EARTHTOP_ASSEMBLE(float80)
 EARTHTOP_ASSEMBLE(float128)
 
 }  // namespace earthtop

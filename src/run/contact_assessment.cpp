@@ -146,12 +146,12 @@ template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, co
                                                                 std::size_t);
 template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<double>>&, std::size_t,
                                                            const Watch&);
-template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<long double>>&,
+template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<float80>>&,
                                                                 std::size_t, const Watch&);
-template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<long double>>&,
+template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<float80>>&,
                                                                 std::size_t);
-template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<long double>>&,
-                                                           std::size_t, const Watch&);
+template std::optional<LedgerReport> assess_contact_ledger(const Scene&, const std::vector<DriftSample<float80>>&, std::size_t,
+                                                           const Watch&);
 template std::vector<InvariantReport> assess_contact_invariants(const Scene&, const std::vector<DriftSample<float128>>&,
                                                                 std::size_t, const Watch&);
 template std::array<ContactBalances, 2> assess_contact_balances(const Scene&, const std::vector<DriftSample<float128>>&,

@@ -15,7 +15,7 @@ namespace earthtop {
 inline double epsilon_of(Precision precision) {
   switch (precision) {
     case Precision::bits53: break;
-    case Precision::bits64: return static_cast<double>(real::epsilon<long double>());
+    case Precision::bits64: return static_cast<double>(real::epsilon<float80>());
     case Precision::bits113: return static_cast<double>(real::epsilon<float128>());
   }
   return real::epsilon<double>();

@@ -160,7 +160,7 @@ std::vector<StopEvent> assess_stops(const TwoIntegrations<T>& made, int safety) 
   template std::vector<StopEvent> assess_stops(const TwoIntegrations<T>&, int);          \
   template std::vector<GimbalEvent> assess_gimbal_events(const TwoIntegrations<T>&, int);
 EARTHTOP_EVENT_BOUNDS(double)
-EARTHTOP_EVENT_BOUNDS(long double)
+EARTHTOP_EVENT_BOUNDS(float80)
 EARTHTOP_EVENT_BOUNDS(float128)
 
 }  // namespace earthtop

@@ -131,7 +131,7 @@ RunResult run_once(const Scene& scene, const RunOptions& options) {
 #ifndef EARTHTOP_DOUBLE_ONLY  // as tools/play has it, which refuses other scenes before
   switch (scene.scenario().precision) {
     case Precision::bits53: break;
-    case Precision::bits64: return run_in<long double>(scene, options);
+    case Precision::bits64: return run_in<float80>(scene, options);
     case Precision::bits113: return run_in<float128>(scene, options);
   }
 #endif

@@ -76,7 +76,7 @@ const SupportReportsIn<T>& reports_in(const Scene& scene) {
   return kReportsIn<T>[static_cast<std::size_t>(scene.support().kind)];
 }
 template const SupportReportsIn<double>& reports_in(const Scene&);
-template const SupportReportsIn<long double>& reports_in(const Scene&);
+template const SupportReportsIn<float80>& reports_in(const Scene&);
 template const SupportReportsIn<float128>& reports_in(const Scene&);
 
 }  // namespace earthtop

@@ -38,7 +38,7 @@ const SupportReports& reports_of(const Scene& scene);
 template <class T>
 const SupportReportsIn<T>& reports_in(const Scene& scene);
 extern template const SupportReportsIn<double>& reports_in(const Scene&);
-extern template const SupportReportsIn<long double>& reports_in(const Scene&);
+extern template const SupportReportsIn<float80>& reports_in(const Scene&);
 extern template const SupportReportsIn<float128>& reports_in(const Scene&);
 
 }  // namespace earthtop

@@ -172,10 +172,10 @@ std::optional<BodySpec> decode_body(const Section& body, bool has_rotor) {
 
 void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& rotor) {
   // A free rotor turns about its own axis without the body, which then has to have a moment about it.
-  const auto both = gyrostat_body(make_body<long double>(body), rotor, rotor.drive != RotorDrive::none);
-  const Eigen::SelfAdjointEigenSolver<Mat3<long double>> moments(both.I_BP_B, Eigen::EigenvaluesOnly);
-  const long double least = moments.eigenvalues()[0], largest = moments.eigenvalues()[2];
-  if (least > 32 * static_cast<long double>(real::epsilon<double>()) * largest && both.I_BP_B_inverse.allFinite()) return;
+  const auto both = gyrostat_body(make_body<float80>(body), rotor, rotor.drive != RotorDrive::none);
+  const Eigen::SelfAdjointEigenSolver<Mat3<float80>> moments(both.I_BP_B, Eigen::EigenvaluesOnly);
+  const float80 least = moments.eigenvalues()[0], largest = moments.eigenvalues()[2];
+  if (least > 32 * static_cast<float80>(real::epsilon<double>()) * largest && both.I_BP_B_inverse.allFinite()) return;
   root.section("body").refuse(
       body.solids.empty() ? "inertia" : "solids",
       fmt::format("body and rotor together are not free to turn about three axes: without the rotor's axial moment, which "

@@ -48,7 +48,7 @@ T CagedTop<T>::rotor_angle(T t) const {
 }
 
 template class CagedTop<double>;
-template class CagedTop<long double>;
+template class CagedTop<float80>;
 template class CagedTop<float128>;
 
 }  // namespace earthtop

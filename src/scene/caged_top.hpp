@@ -39,7 +39,7 @@ class CagedTop {
   T share_;    ///< -C / I3
 };
 extern template class CagedTop<double>;
-extern template class CagedTop<long double>;
+extern template class CagedTop<float80>;
 extern template class CagedTop<float128>;
 
 }  // namespace earthtop

@@ -19,7 +19,7 @@ TableProblem<T> table_of(const Scene& scene, const Body<T>& body) {
   return table;
 }
 template TableProblem<double> table_of(const Scene&, const Body<double>&);
-template TableProblem<long double> table_of(const Scene&, const Body<long double>&);
+template TableProblem<float80> table_of(const Scene&, const Body<float80>&);
 template TableProblem<float128> table_of(const Scene&, const Body<float128>&);
 
 }  // namespace earthtop

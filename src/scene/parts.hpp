@@ -22,7 +22,7 @@ TorqueWeights<T> weights_of(const EffectsSpec& effects) {
 template <class T>
 Model<T> model_of(const Scene& scene, const NaturalUnits& units = {});
 extern template Model<double> model_of(const Scene&, const NaturalUnits&);
-extern template Model<long double> model_of(const Scene&, const NaturalUnits&);
+extern template Model<float80> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float128> model_of(const Scene&, const NaturalUnits&);
 /// The Cardan suspension of a scenario, which has one, in SI units.
 template <class T>
@@ -39,7 +39,7 @@ extern template Model<float128> model_of_rows(const Scene&);
 template <class T>
 DriftProblem<T> problem_of(const Scene& scene);
 extern template DriftProblem<double> problem_of(const Scene&);
-extern template DriftProblem<long double> problem_of(const Scene&);
+extern template DriftProblem<float80> problem_of(const Scene&);
 extern template DriftProblem<float128> problem_of(const Scene&);
 
 // method_fit.cpp. The scene must be plain, and its top symmetric about body axis 3.

@@ -56,7 +56,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
   return model;
 }
 template Model<double> model_of(const Scene&, const NaturalUnits&);
-template Model<long double> model_of(const Scene&, const NaturalUnits&);
+template Model<float80> model_of(const Scene&, const NaturalUnits&);
 template Model<float128> model_of(const Scene&, const NaturalUnits&);
 
 template <class T>
@@ -87,7 +87,7 @@ DriftProblem<T> problem_of(const Scene& scene) {
   return problem;
 }
 template DriftProblem<double> problem_of(const Scene&);
-template DriftProblem<long double> problem_of(const Scene&);
+template DriftProblem<float80> problem_of(const Scene&);
 template DriftProblem<float128> problem_of(const Scene&);
 
 }  // namespace earthtop

@@ -41,7 +41,7 @@ struct Scene::Parts {
   const Scenario scenario;
   const Site site;
   const double rotation_rate_rad_s;
-  std::tuple<InPrecision<double>, InPrecision<long double>, InPrecision<float128>> precisions;
+  std::tuple<InPrecision<double>, InPrecision<float80>, InPrecision<float128>> precisions;
   Once<std::string> identity, sha256;
   Once<std::vector<Constant>> constants;
   Once<int> symmetry_axis;
@@ -142,7 +142,7 @@ const DriftProblem<T>& Scene::problem_without_rows() const {
   template const DriftProblem<T>& Scene::problem() const; \
   template const DriftProblem<T>& Scene::problem_without_rows() const;
 EARTHTOP_SCENE(double)
-EARTHTOP_SCENE(long double)
+EARTHTOP_SCENE(float80)
 EARTHTOP_SCENE(float128)
 
 const Touchdown& Scene::touchdown() const {

@@ -20,9 +20,9 @@ constexpr std::size_t kParts = 4;
 /// The steps after which a stretch is long enough, in the precision of the integration: milliseconds of work in double, tenths of
 /// a second in 113 bits.
 template <class T>
-constexpr double kEnough = std::is_same_v<T, double>        ? 32
-                           : std::is_same_v<T, long double> ? 24
-                                                            : 8;
+constexpr double kEnough = std::is_same_v<T, double>    ? 32
+                           : std::is_same_v<T, float80> ? 24
+                                                        : 8;
 /// Each try of a stretch is so many times as long as the one before; it is given up at twice as many steps as it may take.
 constexpr double kLonger = 4, kMostSteps = 2 * kLonger;
 /// A run of so many times the steps of a stretch is integrated as a whole.
@@ -269,7 +269,7 @@ Pace pace_as_seen(const Scene& scene) {
   Pace pace = scene.pace_by_rule();
   switch (scene.scenario().precision) {
     case Precision::bits53: look<double>(scene, pace); break;
-    case Precision::bits64: look<long double>(scene, pace); break;
+    case Precision::bits64: look<float80>(scene, pace); break;
     case Precision::bits113: look<float128>(scene, pace); break;
   }
   return pace;

@@ -85,7 +85,7 @@ const LawsIn<T>& laws_in(const Scene& scene) {
   return kLawsIn<T>[static_cast<std::size_t>(scene.support().kind)];
 }
 template const LawsIn<double>& laws_in(const Scene&);
-template const LawsIn<long double>& laws_in(const Scene&);
+template const LawsIn<float80>& laws_in(const Scene&);
 template const LawsIn<float128>& laws_in(const Scene&);
 
 }  // namespace earthtop

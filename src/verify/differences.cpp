@@ -6,7 +6,7 @@
 namespace earthtop::verify_detail {
 
 double attitude_distance(const std::array<double, 4>& p, const std::array<double, 4>& q) {
-  return attitude_distance(quaternion<long double>(p), quaternion<long double>(q));
+  return attitude_distance(quaternion<float80>(p), quaternion<float80>(q));
 }
 
 double return_error(const DriftRow& returned, const DriftRow& release) {

@@ -11,7 +11,7 @@ namespace earthtop::verify_detail {
 /// The larger of two errors; NaN counts as larger than any number.
 inline double worse(double a, double b) { return !(b <= a) ? b : a; }
 
-/// The angle between two attitudes (w, x, y, z), computed in long double (rad); norms and signs do not matter.
+/// The angle between two attitudes (w, x, y, z), computed in float80 (rad); norms and signs do not matter.
 double attitude_distance(const std::array<double, 4>& p, const std::array<double, 4>& q);
 
 /// The error of a motion that ran backwards, relative to the release to which it should have returned: the angle between the

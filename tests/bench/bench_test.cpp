@@ -121,7 +121,7 @@ TEST(Bench, ClosedFormsTakePartWhereTheSceneHasOne) {
       EXPECT_LT(report.reference.error.attitude.value(), 1e-17);
       EXPECT_LT(report.reference.error.drift.value_or(0), 1e-20);  // the reference's tolerance
       EXPECT_LT(report.entries[0].errors.attitude.value(), testing::rounding(100));
-      EXPECT_LT(report.entries[1].errors.attitude.value(), testing::rounding<long double>(200));
+      EXPECT_LT(report.entries[1].errors.attitude.value(), testing::rounding<float80>(200));
       EXPECT_LT(report.entries[2].errors.attitude.value(), testing::truncation(contenders[2].options.relative_tolerance, 100));
       EXPECT_LT(report.entries[3].errors.drift.value(), testing::rounding(1));
     }

@@ -40,13 +40,13 @@ TrueRun truth_of(const Scenario& scenario, Truth truth, std::size_t rows) {
   options.relative_tolerance = least_tolerance(Precision::bits64);
   if (!Scene(scenario).method_refusal(Method::taylor)) {
     options.method = Method::taylor;
-    if (is_reducible(Scene(scenario).problem<long double>().model)) {
+    if (is_reducible(Scene(scenario).problem<float80>().model)) {
       options.observer = Observer::laboratory;
       options.form = ModelForm::automatic;
     }
     options.relative_tolerance = 1e-18;
   }
-  return integrate_truth<long double>(scenario, options);
+  return integrate_truth<float80>(scenario, options);
 }
 
 double distance(float128 a, float128 b) { return static_cast<double>(real::abs(a - b)); }

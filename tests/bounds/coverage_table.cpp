@@ -25,8 +25,7 @@
 #include "bounds/strata.hpp"
 #include "bounds/table_checks.hpp"
 #include "bounds/table_strata.hpp"
-
-extern "C" int quadmath_snprintf(char*, std::size_t, const char*, ...);
+#include "results/digits.hpp"
 
 namespace {
 
@@ -75,11 +74,7 @@ void print_scene(std::string_view stratum, const Scenario& scenario, const Cover
       c.close() ? "" : " LOOSE");
 }
 
-std::string decimal(float128 number) {
-  char digits[64];
-  quadmath_snprintf(digits, sizeof digits, "%.24Qe", number);
-  return digits;
-}
+std::string decimal(float128 number) { return digits(number, Precision::bits113); }
 
 /// Writes tests/data/contact/bounds.json: scenes on a table, and their drifts in 113 bits.
 void write_truths(std::uint64_t count, double longest_s, double largest_phase) {

@@ -68,7 +68,7 @@ TrueRun truth_on_table(const Scenario& scenario, bool extended, std::size_t rows
   }
   options.method = Method::taylor;
   options.relative_tolerance = 1e-18;
-  return integrate_truth<long double>(scenario, options, rows);
+  return integrate_truth<float80>(scenario, options, rows);
 }
 
 }  // namespace earthtop::testing

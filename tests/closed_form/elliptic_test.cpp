@@ -44,7 +44,7 @@ class Elliptic : public ::testing::Test {
   double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   std::mt19937_64 engine_{7};
 };
-using Scalars = ::testing::Types<double, long double, float128>;
+using Scalars = ::testing::Types<double, float80, float128>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int) {

@@ -48,7 +48,7 @@ TEST_P(FreeBodyRegimes, LongDoubleKeepsItsStatement) {
   std::mt19937_64 engine(2);
   for (int k = 0; k < 50; ++k) {
     const FreeBodyCase c = GetParam().draw(engine);
-    const auto state = free_body<long double>(c).at(c.t_s);
+    const auto state = free_body<float80>(c).at(c.t_s);
     const auto exact = free_body<Wide>(c).at(c.t_s);
     ASSERT_LE(angle_between(wide(state.q_NB), exact.q_NB), state.attitude_error) << to_string(c);
     ASSERT_LE(apart(wide(state.w_NB_B), exact.w_NB_B), state.rate_error) << to_string(c);

@@ -134,7 +134,7 @@ TEST(FreeGyrostat, MeetsItsReferencesWithinItsStatedErrors) {
     SCOPED_TRACE(known.name);
     regimes.insert(known.regime);
     expect_reference<double>(known);
-    expect_reference<long double>(known);
+    expect_reference<float80>(known);
     expect_reference<Wide>(known);
     const auto stated = gyrostat<double>(known.body).at(known.t_s).attitude_error;
     EXPECT_LE(stated, 20 * real::epsilon<double>());  // far from and near a separatrix alike, as constants have 113 bits

@@ -18,16 +18,16 @@
 namespace earthtop::test {
 namespace {
 
-/// `minus_square`, near - y^2 in long double, must be as exact as with a fused multiplication, though it uses none: where the
+/// `minus_square`, near - y^2 in float80, must be as exact as with a fused multiplication, though it uses none: where the
 /// difference cancels all but the last bits, and where it does not, over all magnitudes of double.
 TEST(LagrangeRoots, LessSquareIsTheFusedDifference) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int k = 0; k < 2000; ++k) {
-    const long double y = std::ldexp(1 + static_cast<long double>(unit(engine)) + 1e-18L * unit(engine), k - 1000);
-    const long double near = k % 3 == 0 ? y * y : y * y * (1 + (k % 3 == 1 ? 1e-18L : 1.0L) * (unit(engine) - 0.5));
-    const long double exact = -std::fma(y, y, -near), made = minus_square<long double>(near, y);
-    EXPECT_LE(std::abs(made - exact), std::numeric_limits<long double>::epsilon() * std::abs(exact)) << k;
+    const float80 y = real::scale(1 + static_cast<float80>(unit(engine)) + float80(1e-18L) * unit(engine), k - 1000);
+    const float80 near = k % 3 == 0 ? y * y : y * y * (1 + float80(k % 3 == 1 ? 1e-18L : 1.0L) * (unit(engine) - 0.5));
+    const float80 exact = -real::fma(y, y, -near), made = minus_square<float80>(near, y);
+    EXPECT_LE(real::abs(made - exact), std::numeric_limits<float80>::epsilon() * real::abs(exact)) << k;
   }
 }
 
@@ -73,7 +73,7 @@ TEST_P(LagrangeRegimes, IntegrationAt113BitsAgrees) {
 }
 
 TEST_P(LagrangeRegimes, LongDoubleIsWithinItsStatement) {
-  using T = long double;
+  using T = float80;
   std::mt19937_64 engine(3);
   for (int k = 0; k < 40; ++k) {
     const LagrangeCase c = GetParam().draw(engine);

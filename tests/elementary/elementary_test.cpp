@@ -13,26 +13,32 @@
 
 #include "earthtop/real.hpp"
 
-extern "C" {  // libquadmath's, beside those that real.hpp declares
-__float128 tanq(__float128) noexcept;
-__float128 acosq(__float128) noexcept;
-__float128 atanq(__float128) noexcept;
-__float128 exp2q(__float128) noexcept;
-__float128 log2q(__float128) noexcept;
-__float128 log10q(__float128) noexcept;
-__float128 log1pq(__float128) noexcept;
-__float128 cbrtq(__float128) noexcept;
-__float128 sinhq(__float128) noexcept;
-__float128 coshq(__float128) noexcept;
-__float128 tanhq(__float128) noexcept;
-__float128 asinhq(__float128) noexcept;
-__float128 acoshq(__float128) noexcept;
-__float128 atanhq(__float128) noexcept;
-__float128 erfq(__float128) noexcept;
-__float128 erfcq(__float128) noexcept;
-__float128 tgammaq(__float128) noexcept;
-__float128 lgammaq(__float128) noexcept;
-}
+// libquadmath's, beside those that float128.hpp declares; or the C library's.
+#ifdef __SIZEOF_FLOAT128__
+#define EARTHTOP_QUAD(name) extern "C" earthtop::float128 name##q(earthtop::float128) noexcept;
+#else
+#define EARTHTOP_QUAD(name) \
+  static earthtop::float128 name##q(earthtop::float128 x) noexcept { return std::name(x); }
+#endif
+EARTHTOP_QUAD(tan)
+EARTHTOP_QUAD(acos)
+EARTHTOP_QUAD(atan)
+EARTHTOP_QUAD(exp2)
+EARTHTOP_QUAD(log2)
+EARTHTOP_QUAD(log10)
+EARTHTOP_QUAD(log1p)
+EARTHTOP_QUAD(cbrt)
+EARTHTOP_QUAD(sinh)
+EARTHTOP_QUAD(cosh)
+EARTHTOP_QUAD(tanh)
+EARTHTOP_QUAD(asinh)
+EARTHTOP_QUAD(acosh)
+EARTHTOP_QUAD(atanh)
+EARTHTOP_QUAD(erf)
+EARTHTOP_QUAD(erfc)
+EARTHTOP_QUAD(tgamma)
+EARTHTOP_QUAD(lgamma)
+#undef EARTHTOP_QUAD
 
 namespace earthtop {
 namespace {
@@ -188,30 +194,60 @@ TEST(Elementary, FifthRootsOfFifthPowersAreExact) {
 TEST(Elementary, HugeAnglesAreReducedExactly) {
   EXPECT_LE(error_ulp(real::sin(3.6e9), sinq(3.6e9)), 1);
   EXPECT_LE(error_ulp(real::cos(1.4e23), cosq(1.4e23)), 1);
-  EXPECT_LE(error_ulp(real::sin(1e22), -0.85220084976718880177L), 1);  // from 60 digits
+  EXPECT_LE(error_ulp(real::sin(1e22), float128(-0.85220084976718880177L)), 1);  // from 60 digits
 }
 
-/// The error in units in the last place of long double, over all exponents and both signs, with the ends of the range.
-TEST(Elementary, ExponentialOfLongDoubleIsRoundedAlmostCorrectly) {
-  static_assert(std::numeric_limits<long double>::digits == 64);
+/// The error in units in the last place of float80.
+double error_ulp(float80 computed, float128 exact) {
+  int exponent = 0;
+  frexpq(exact, &exponent);
+  return static_cast<double>(real::scale(real::abs(static_cast<float128>(computed) - exact), 64 - exponent));
+}
+
+/// Sums of doubles of different size fill all 64 bits.
+float80 filled(double x, Arguments& random) {
+  return static_cast<float80>(x) * (1 + static_cast<float80>(random(-60, -1, false)));
+}
+
+/// Over all exponents and both signs, with the ends of the range.
+TEST(Elementary, ExponentialOfFloat80IsRoundedAlmostCorrectly) {
+  static_assert(std::numeric_limits<float80>::digits == 64);
   Arguments random;
   double worst = 0;
   for (int i = 0; i < 100'000; ++i) {
-    // Sums of doubles of different size fill all 64 bits.
-    const auto x = static_cast<long double>(random(-70, 13.4, false)) * (1 + static_cast<long double>(random(-60, -1, false)));
-    if (!(real::abs(x) < 10900)) continue;
-    const float128 exact = expq(static_cast<float128>(x));
-    int exponent = 0;
-    std::frexp(static_cast<long double>(exact), &exponent);
-    const float128 error = real::abs(static_cast<float128>(real::exp(x)) - exact);
-    worst = std::max(worst, static_cast<double>(real::scale(error, 64 - exponent)));
+    const float80 x = filled(random(-70, 13.4, false), random);
+    if (real::abs(x) < 10900) worst = std::max(worst, error_ulp(real::exp(x), expq(static_cast<float128>(x))));
   }
   EXPECT_LT(worst, 0.53);
   EXPECT_GT(worst, 0.4);
-  EXPECT_EQ(real::exp(0.0L), 1);
-  EXPECT_EQ(real::exp(-std::numeric_limits<long double>::infinity()), 0);
-  EXPECT_EQ(real::exp(12000.0L), std::numeric_limits<long double>::infinity());
-  EXPECT_TRUE(std::isnan(real::exp(std::numeric_limits<long double>::quiet_NaN())));
+  EXPECT_EQ(real::exp(float80(0)), 1);
+  EXPECT_EQ(real::exp(-std::numeric_limits<float80>::infinity()), 0);
+  EXPECT_EQ(real::exp(float80(12000)), std::numeric_limits<float80>::infinity());
+  EXPECT_TRUE(std::isnan(static_cast<double>(real::exp(std::numeric_limits<float80>::quiet_NaN()))));
+}
+
+/// Tiny to huge angles; and angles near a multiple of a quarter turn, where one of the two is next to nothing.
+TEST(Elementary, SineAndCosineOfFloat80AreRoundedAlmostCorrectly) {
+  Arguments random;
+  double worst = 0;
+  const auto look = [&](float80 x) {
+    const SinCos<float80> both = real::sin_cos(x);
+    worst = std::max(
+        {worst, error_ulp(both.sin, sinq(static_cast<float128>(x))), error_ulp(both.cos, cosq(static_cast<float128>(x)))});
+    ASSERT_EQ(both.sin, real::sin(x));
+    ASSERT_EQ(both.cos, real::cos(x));
+  };
+  for (int i = 0; i < 100'000; ++i) {
+    look(filled(random(-70, 30, false), random));
+    look(filled(random(-3, 3, false), random));
+    const float80 multiple = std::rint(random(0, 20, false));
+    look(multiple * (real::pi<float80>() / 2) + static_cast<float80>(random(-70, -20, false)));
+  }
+  EXPECT_LT(worst, 0.75);
+  EXPECT_GT(worst, 0.4);
+  EXPECT_EQ(real::sin(float80(0)), 0);
+  EXPECT_EQ(real::cos(float80(0)), 1);
+  EXPECT_TRUE(std::isnan(static_cast<double>(real::sin(std::numeric_limits<float80>::infinity()))));
 }
 
 }  // namespace

@@ -11,7 +11,11 @@
 #include "earthtop/model/model.hpp"
 #include "integrate/spinless_pair.hpp"
 
+#ifdef __SIZEOF_FLOAT128__
 extern "C" earthtop::float128 strtoflt128(const char*, char**);  // of libquadmath, whose header clang does not find
+#else
+inline earthtop::float128 strtoflt128(const char* text, char** end) { return std::strtold(text, end); }
+#endif
 
 namespace earthtop::testing {
 

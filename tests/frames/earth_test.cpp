@@ -187,7 +187,7 @@ TEST(Earth, GravitationAndCentrifugalMakeNormalGravityDownward) {
 TEST(Earth, CentrifugalAccelerationPointsAwayFromTheAxis) {
   const double e2 = 0.006694379990141317;
   for (const double latitude : {-80.0, -45.0, 0.0, 30.0, 89.0}) {
-    const long double phi = latitude * real::pi<long double>() / 180;
+    const long double phi = latitude * real::pi<float80>() / 180;
     const double s = static_cast<double>(std::sin(phi)), c = static_cast<double>(std::cos(phi)), h = 250;
     const double from_axis = (kEquatorialRadiusWgs84 / std::sqrt(1 - e2 * s * s) + h) * c;
     const double size = kEarthRateWgs84 * kEarthRateWgs84 * from_axis;

@@ -13,7 +13,7 @@ class RotationLaws : public ::testing::Test {
  protected:
   static T eps() { return real::epsilon<T>(); }
 };
-using Scalars = ::testing::Types<double, long double, float128>;
+using Scalars = ::testing::Types<double, float80, float128>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int) {

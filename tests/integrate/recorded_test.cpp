@@ -88,7 +88,7 @@ void expect_known_series() {
 
 TEST(Recorded, SeriesOfEveryOperationAreTheKnownOnes) {
   expect_known_series<double>();
-  expect_known_series<long double>();
+  expect_known_series<float80>();
   expect_known_series<float128>();
 }
 
@@ -110,7 +110,7 @@ void expect_quotients() {
 
 TEST(Recorded, CoefficientsAreRatesDividedByTheirOrders) {
   expect_quotients<double>();
-  expect_quotients<long double>();
+  expect_quotients<float80>();
   expect_quotients<float128>();
 }
 
@@ -202,7 +202,7 @@ TEST(Recorded, SumsAndProductsAreThoseOfPlainSeriesForEveryNumberOfThemAndEveryW
   const std::size_t count = formulas_of_all_kinds<PlainSeries<double>, double>({}).size();
   for (std::size_t formulas = 1; formulas <= count; ++formulas) {
     for (int width = 2; width <= taylor::width_of_processor(); width *= 2) expect_plain_series<double>(formulas, width);
-    expect_plain_series<long double>(formulas, 2);
+    expect_plain_series<float80>(formulas, 2);
     expect_plain_series<float128>(formulas, 2);
   }
 }

@@ -87,7 +87,7 @@ struct Revolution {
   long double mass = 0, first = 0, along = 0, across = 0;
   void add(long double from, long double to, const std::function<long double(long double)>& radius_squared,
            long double sign = 1) {
-    const long double middle = (from + to) / 2, half = (to - from) / 2, node = std::sqrt(0.6L), pi = real::pi<long double>();
+    const long double middle = (from + to) / 2, half = (to - from) / 2, node = std::sqrt(0.6L), pi = real::pi<float80>();
     for (const auto& [x, weight] : {std::pair{-node, 5.0L / 9}, std::pair{0.0L, 8.0L / 9}, std::pair{node, 5.0L / 9}}) {
       const long double z = middle + half * x, r2 = radius_squared(z), dm = sign * weight * half * pi * r2;
       mass += dm;
@@ -99,19 +99,20 @@ struct Revolution {
 };
 void expect_same(const Solid& solid, const Revolution& r) {
   // 64 eps: sums of differences of nearly equal volumes stay below 10 in relative size in these cases.
-  const long double eps = 64 * real::epsilon<long double>(), density = *solid.density_kg_m3;
-  const Body<long double> body = make_body<long double>(of_solids({solid}));
+  const float80 eps = 64 * real::epsilon<float80>();
+  const long double density = *solid.density_kg_m3;
+  const Body<float80> body = make_body<float80>(of_solids({solid}));
   EXPECT_TRUE(close<long double>(body.mass, density * r.mass, eps * density * r.mass));
   EXPECT_TRUE(close<long double>(body.p_PBcm_B[2], r.first / r.mass, eps * (1 + std::abs(r.first / r.mass))));
-  EXPECT_TRUE(identical(body.p_PBcm_B.head<2>().eval(), Eigen::Matrix<long double, 2, 1>::Zero()));
-  const Vec3<long double> moments = density * Vec3<long double>(r.across, r.across, r.along);
-  EXPECT_TRUE(close<long double>(body.I_BP_B, Mat3<long double>(moments.asDiagonal()), eps * moments.maxCoeff()));
+  EXPECT_TRUE(identical(body.p_PBcm_B.head<2>().eval(), Eigen::Matrix<float80, 2, 1>::Zero()));
+  const Vec3<float80> moments = Vec3<long double>(density * Vec3<long double>(r.across, r.across, r.along)).cast<float80>();
+  EXPECT_TRUE(close<float80>(body.I_BP_B, Mat3<float80>(moments.asDiagonal()), float80(eps * moments.maxCoeff())));
   // The same body by its mass.
   Solid by_mass = solid;
   by_mass.density_kg_m3.reset();
   by_mass.mass_kg = static_cast<double>(body.mass);
-  const Body<long double> again = make_body<long double>(of_solids({by_mass}));
-  EXPECT_TRUE(close<long double>(again.I_BP_B, body.I_BP_B, 2 * real::epsilon<double>() * moments.maxCoeff()));
+  const Body<float80> again = make_body<float80>(of_solids({by_mass}));
+  EXPECT_TRUE(close<float80>(again.I_BP_B, body.I_BP_B, float80(2 * real::epsilon<double>() * moments.maxCoeff())));
 }
 
 TEST(Solids, MomentsAreThoseOfTheirSlices) {

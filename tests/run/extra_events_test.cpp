@@ -20,7 +20,7 @@ struct Around {
   double before, after, largest_before;
 };
 Around drift_around(Scenario scene, double t_s, double bound_s) {
-  DriftProblem<long double> problem = Scene(scene).problem<long double>();
+  DriftProblem<float80> problem = Scene(scene).problem<float80>();
   problem.threshold_rad.reset();
   problem.times_s.clear();
   constexpr int kMoments = 400;

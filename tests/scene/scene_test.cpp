@@ -39,7 +39,7 @@ TEST(Scene, CopiesShareWhatTheyCompute) {
   const Scene scene = testing::toy_top(), copy = scene;
   EXPECT_EQ(&scene.body<double>(), &copy.body<double>());
   EXPECT_EQ(&scene.release<float128>(), &scene.release<float128>());
-  EXPECT_EQ(&scene.model<long double>(), &copy.model<long double>());
+  EXPECT_EQ(&scene.model<float80>(), &copy.model<float80>());
   EXPECT_EQ(&scene.problem<double>(), &copy.problem<double>());
   EXPECT_EQ(&scene.choice(), &copy.choice());
   EXPECT_EQ(&scene.estimate(), &copy.estimate());
@@ -51,14 +51,14 @@ TEST(Scene, CopiesShareWhatTheyCompute) {
 TEST(Scene, HasTheBodyTheReleaseAndTheModelOfItsScenario) {
   const Scenario scenario = testing::toy_top();
   const Scene scene = scenario;
-  const auto body = make_body<long double>(scenario.body);
-  const auto release = make_release<long double>(scenario.release, body, static_cast<long double>(scene.site().gravity_m_s2));
-  EXPECT_EQ(scene.body<long double>().I_BP_B, body.I_BP_B);
-  EXPECT_EQ(scene.release<long double>().w_XB_B, release.w_XB_B);
-  const auto model = make_model<long double>(body, scenario.site, scenario.rotation_rate_rad_s, {}, nullptr, scene.units());
-  EXPECT_EQ(scene.problem<long double>().model.mass_moment_B, model.mass_moment_B);
-  EXPECT_EQ(scene.problem<long double>().model.W_IL_L, model.W_IL_L);
-  EXPECT_NE(scene.model<long double>().W_IL_L, model.W_IL_L);  // which is in SI units
+  const auto body = make_body<float80>(scenario.body);
+  const auto release = make_release<float80>(scenario.release, body, static_cast<float80>(scene.site().gravity_m_s2));
+  EXPECT_EQ(scene.body<float80>().I_BP_B, body.I_BP_B);
+  EXPECT_EQ(scene.release<float80>().w_XB_B, release.w_XB_B);
+  const auto model = make_model<float80>(body, scenario.site, scenario.rotation_rate_rad_s, {}, nullptr, scene.units());
+  EXPECT_EQ(scene.problem<float80>().model.mass_moment_B, model.mass_moment_B);
+  EXPECT_EQ(scene.problem<float80>().model.W_IL_L, model.W_IL_L);
+  EXPECT_NE(scene.model<float80>().W_IL_L, model.W_IL_L);  // which is in SI units
   EXPECT_EQ(scene.problem<double>().times_s, output_times(scenario.duration_s, scenario.output_step_s));
   EXPECT_EQ(scene.sha256(), sha256_hex(identity_json(scenario)));
   EXPECT_TRUE(scene.is_plain());

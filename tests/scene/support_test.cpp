@@ -196,7 +196,7 @@ TEST(Support, AProblemHasTheTableInNaturalUnits) {
     s.effects.applied.gravity_gradient.emplace();
   });
   expect_natural_units_of<double>(scene);
-  expect_natural_units_of<long double>(scene);
+  expect_natural_units_of<float80>(scene);
   expect_natural_units_of<float128>(scene);
 }
 

@@ -16,7 +16,7 @@ namespace earthtop::testing {
 
 /// The Jacobi integral T + V - L.W of a sample divided by T + |V|, in long double so that only the motion's own error shows.
 struct Jacobi {
-  Model<long double> model;
+  Model<float80> model;
   struct Value {
     long double integral, scale;
   };
@@ -49,7 +49,7 @@ inline void expect_random_walk(Scenario scene, double duration_s, double least_s
   ASSERT_EQ(motion.status, RunStatus::completed);
   const auto steps = static_cast<double>(motion.counters.accepted);
   EXPECT_GT(steps, least_steps);
-  const Jacobi jacobi{Scene(scene).model<long double>()};
+  const Jacobi jacobi{Scene(scene).model<float80>()};
   const auto start = jacobi.of(motion.samples.front());
   double worst = 0;
   for (const auto& sample : motion.samples) {

@@ -18,7 +18,7 @@
 
 namespace earthtop::formulas {
 
-inline constexpr long double kPi = std::numbers::pi_v<long double>;
+inline constexpr long double kPi = std::numbers::pi_v<float80>;
 using Symbols = std::map<std::string, long double>;
 
 /// The formula at a place of a text, or the number with its unit.

@@ -47,7 +47,7 @@ void free_body_construct(benchmark::State& state) {
 BENCHMARK_TEMPLATE(free_body_at, double, far_from_separatrix<double>);
 BENCHMARK_TEMPLATE(free_body_at, double, near_separatrix<double>);
 BENCHMARK_TEMPLATE(free_body_at, double, symmetric<double>);
-BENCHMARK_TEMPLATE(free_body_at, long double, far_from_separatrix<long double>);
+BENCHMARK_TEMPLATE(free_body_at, float80, far_from_separatrix<float80>);
 BENCHMARK_TEMPLATE(free_body_at, earthtop::float128, far_from_separatrix<earthtop::float128>);
 BENCHMARK_TEMPLATE(free_body_construct, double, far_from_separatrix<double>);
 BENCHMARK_TEMPLATE(free_body_construct, double, near_separatrix<double>);

@@ -77,24 +77,24 @@ class MotionReference {
  public:
   explicit MotionReference(const std::vector<Scenario>& scenes) {
     const IntegrationOptions fine = numerics(Method::taylor, Observer::laboratory, ModelForm::reduced, 1e-18);
-    for (const auto& problem : problems_of<long double>(scenes))
-      axes_.push_back(axis(integrate_motion<long double>(problem, fine, MotionSought::symmetry_axis)));
+    for (const auto& problem : problems_of<float80>(scenes))
+      axes_.push_back(axis(integrate_motion<float80>(problem, fine, MotionSought::symmetry_axis)));
   }
   double largest_error(std::span<const MotionTrajectory<double>> trajectories) const {
-    long double largest = 0;
+    float80 largest = 0;
     for (std::size_t i = 0; i < trajectories.size(); ++i) {
       if (trajectories[i].status != RunStatus::completed) return HUGE_VAL;
-      largest = std::max(largest, norm(Vec3<long double>(axis(trajectories[i]) - axes_[i])));
+      largest = std::max(largest, norm(Vec3<float80>(axis(trajectories[i]) - axes_[i])));
     }
     return static_cast<double>(largest);
   }
 
  private:
   template <class T>
-  static Vec3<long double> axis(const MotionTrajectory<T>& trajectory) {
-    return rotation_matrix(trajectory.samples.back().q_LB).col(2).template cast<long double>();
+  static Vec3<float80> axis(const MotionTrajectory<T>& trajectory) {
+    return rotation_matrix(trajectory.samples.back().q_LB).col(2).template cast<float80>();
   }
-  std::vector<Vec3<long double>> axes_;
+  std::vector<Vec3<float80>> axes_;
 };
 
 /// The drift of a batch at every row, computed in long double.
@@ -102,9 +102,9 @@ class DriftReference {
  public:
   explicit DriftReference(const std::vector<Scenario>& scenes) {
     const IntegrationOptions fine = numerics(Method::taylor, Observer::laboratory, ModelForm::reduced, 1e-18);
-    for (const auto& problem : problems_of<long double>(scenes)) {
+    for (const auto& problem : problems_of<float80>(scenes)) {
       std::vector<double> drift;
-      for (const auto& sample : integrate_drift<long double>(problem, fine).samples)
+      for (const auto& sample : integrate_drift<float80>(problem, fine).samples)
         drift.push_back(static_cast<double>(sample.measures.axis));
       drifts_.push_back(drift);
     }

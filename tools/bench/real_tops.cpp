@@ -174,7 +174,7 @@ void compare(const std::string& file, int rounds) {
   }
   IntegrationOptions options = scene.choice().options;
   options.relative_tolerance = 1e-17;
-  const std::vector<double> exact = drifts_here<long double>(scene, times_s, options);
+  const std::vector<double> exact = drifts_here<float80>(scene, times_s, options);
   std::array<std::vector<Contender>, 2> all;
   for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12, 1e-13}) {
     options.relative_tolerance = tolerance;

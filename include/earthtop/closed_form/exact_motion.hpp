@@ -17,7 +17,7 @@ namespace earthtop {
 template <class T>
 ExactKind exact_kind(const Model<T>& model);
 extern template ExactKind exact_kind(const Model<double>&);
-extern template ExactKind exact_kind(const Model<long double>&);
+extern template ExactKind exact_kind(const Model<float80>&);
 extern template ExactKind exact_kind(const Model<float128>&);
 
 /// A rotor on a body axis, whose momentum along plus this axis stays what it is at the start.
@@ -56,7 +56,7 @@ struct ExactBody {
 template <class T>
 ExactBody<T> exact_body(const Model<T>& model);
 extern template ExactBody<double> exact_body(const Model<double>&);
-extern template ExactBody<long double> exact_body(const Model<long double>&);
+extern template ExactBody<float80> exact_body(const Model<float80>&);
 extern template ExactBody<float128> exact_body(const Model<float128>&);
 
 /// The motion in the inertial axes N that coincide with the laboratory's at t = 0. `seen_from_laboratory` (special_cases.hpp)
@@ -86,7 +86,7 @@ class ExactMotion {
 };
 
 extern template class ExactMotion<double>;
-extern template class ExactMotion<long double>;
+extern template class ExactMotion<float80>;
 extern template class ExactMotion<float128>;
 
 }  // namespace earthtop

@@ -37,7 +37,7 @@ struct FreeBodyMotion;
 ///
 /// Moments must be finite and positive (the triangle inequality is not needed); otherwise the results are NaN. The given
 /// numbers are taken as exact. The stated error bounds hold as long as moments squared times rates squared stay within the
-/// range of long double (for T = double: always) or float128.
+/// range of float80 (for T = double: always) or float128.
 template <class T>
 class FreeBody {
  public:
@@ -60,7 +60,7 @@ class FreeBody {
 };
 
 extern template class FreeBody<double>;
-extern template class FreeBody<long double>;
+extern template class FreeBody<float80>;
 extern template class FreeBody<float128>;
 
 }  // namespace earthtop

@@ -65,7 +65,7 @@ class FreeGyrostat {
 };
 
 extern template class FreeGyrostat<double>;
-extern template class FreeGyrostat<long double>;
+extern template class FreeGyrostat<float80>;
 extern template class FreeGyrostat<float128>;
 
 }  // namespace earthtop

@@ -87,7 +87,7 @@ class LagrangeTop {
     T high = T(0), low = T(0);
   };
   /// Theta quotient of A, B or Omega: size * (sum re_n S_n + i sum im_n C_n) / denominator.
-  static constexpr int kTerms = std::is_same_v<T, float128> ? 6 : std::is_same_v<T, long double> ? 5 : 4;
+  static constexpr int kTerms = std::is_same_v<T, float128> ? 6 : std::is_same_v<T, float80> ? 5 : 4;
   struct Quotient {
     std::array<T, kTerms> re{}, im{};
     T size = T(0);
@@ -129,7 +129,7 @@ class LagrangeTop {
 };
 
 extern template class LagrangeTop<double>;
-extern template class LagrangeTop<long double>;
+extern template class LagrangeTop<float80>;
 extern template class LagrangeTop<float128>;
 
 }  // namespace earthtop

@@ -65,7 +65,7 @@ struct BasicGimbalRow {
 
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
 /// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
-/// in float128, which holds a long double unchanged.
+/// in float128, which holds a float80 unchanged.
 template <class T>
 struct BasicDriftRow {
   T t_s = T(0);

@@ -58,7 +58,7 @@ enum class DriftSought { rows, distances };
 template <class T>
 DriftMeasures<T> measure_drift(const DriftState<T>& state, DriftSought sought = DriftSought::rows);
 extern template DriftMeasures<double> measure_drift(const DriftState<double>&, DriftSought);
-extern template DriftMeasures<long double> measure_drift(const DriftState<long double>&, DriftSought);
+extern template DriftMeasures<float80> measure_drift(const DriftState<float80>&, DriftSought);
 extern template DriftMeasures<float128> measure_drift(const DriftState<float128>&, DriftSought);
 
 /// The drift of any body axis (a unit vector), and that of the axis watched.
@@ -71,7 +71,7 @@ AxisDrift<T> watched_drift(const DriftState<T>& state) {
   return {measures.axis, measures.axis_difference_L_scaled};
 }
 extern template AxisDrift<double> drift_of_axis(const DriftState<double>&, const Vec3<double>&);
-extern template AxisDrift<long double> drift_of_axis(const DriftState<long double>&, const Vec3<long double>&);
+extern template AxisDrift<float80> drift_of_axis(const DriftState<float80>&, const Vec3<float80>&);
 extern template AxisDrift<float128> drift_of_axis(const DriftState<float128>&, const Vec3<float128>&);
 
 /// The two drift angles that can go through more than a full turn, the half spin and the azimuth. Each is given by its sine and
@@ -86,7 +86,7 @@ struct DriftPhases {
 template <class T>
 DriftPhases<T> drift_phases(const DriftState<T>& state);
 extern template DriftPhases<double> drift_phases(const DriftState<double>&);
-extern template DriftPhases<long double> drift_phases(const DriftState<long double>&);
+extern template DriftPhases<float80> drift_phases(const DriftState<float80>&);
 extern template DriftPhases<float128> drift_phases(const DriftState<float128>&);
 
 /// The state at an output time and its measures. Spin and azimuth are followed since the release, and so are continuous.
@@ -161,8 +161,7 @@ struct DriftTrajectory {
 template <class T>
 DriftTrajectory<T> integrate_drift(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch = {});
 extern template DriftTrajectory<double> integrate_drift(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
-extern template DriftTrajectory<long double> integrate_drift(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                             const Watch&);
+extern template DriftTrajectory<float80> integrate_drift(const DriftProblem<float80>&, const IntegrationOptions&, const Watch&);
 extern template DriftTrajectory<float128> integrate_drift(const DriftProblem<float128>&, const IntegrationOptions&,
                                                           const Watch&);
 

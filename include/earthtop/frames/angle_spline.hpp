@@ -81,7 +81,7 @@ class AngleSpline {
   T end_;
 };
 extern template class AngleSpline<double>;
-extern template class AngleSpline<long double>;
+extern template class AngleSpline<float80>;
 extern template class AngleSpline<float128>;
 
 }  // namespace earthtop

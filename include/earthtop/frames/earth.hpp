@@ -29,7 +29,7 @@ Vec3<T> apparent_gravity_L(const Site& site) {
 template <class T>
 Vec3<T> corrected_celestial_axis_L(const Site& site);
 extern template Vec3<double> corrected_celestial_axis_L(const Site&);
-extern template Vec3<long double> corrected_celestial_axis_L(const Site&);
+extern template Vec3<float80> corrected_celestial_axis_L(const Site&);
 extern template Vec3<float128> corrected_celestial_axis_L(const Site&);
 
 /// The direction of the Earth's rotation axis in laboratory axes (unit vector): (0, cos phi, sin phi), exact at the poles and

@@ -82,8 +82,8 @@ MotionTrajectory<T> integrate_motion(const MotionProblem<T>& problem, const Inte
                                      MotionSought sought = MotionSought::attitude, const Watch& watch = {});
 extern template MotionTrajectory<double> integrate_motion(const MotionProblem<double>&, const IntegrationOptions&, MotionSought,
                                                           const Watch&);
-extern template MotionTrajectory<long double> integrate_motion(const MotionProblem<long double>&, const IntegrationOptions&,
-                                                               MotionSought, const Watch&);
+extern template MotionTrajectory<float80> integrate_motion(const MotionProblem<float80>&, const IntegrationOptions&,
+                                                           MotionSought, const Watch&);
 extern template MotionTrajectory<float128> integrate_motion(const MotionProblem<float128>&, const IntegrationOptions&,
                                                             MotionSought, const Watch&);
 

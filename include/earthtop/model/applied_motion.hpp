@@ -13,8 +13,8 @@ template <class T>
 Vec3<T> applied_torque_B(const Model<T>& model, T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B, bool earth);
 extern template Vec3<double> applied_torque_B(const Model<double>&, double, const Quaternion<double>&, const Vec3<double>&,
                                               bool);
-extern template Vec3<long double> applied_torque_B(const Model<long double>&, long double, const Quaternion<long double>&,
-                                                   const Vec3<long double>&, bool);
+extern template Vec3<float80> applied_torque_B(const Model<float80>&, float80, const Quaternion<float80>&, const Vec3<float80>&,
+                                               bool);
 extern template Vec3<float128> applied_torque_B(const Model<float128>&, float128, const Quaternion<float128>&,
                                                 const Vec3<float128>&, bool);
 
@@ -27,9 +27,9 @@ Vec3<Paired<T>> applied_torques_B(const Model<T>& model, T t, const Quaternion<T
                                   const Vec3<T>& e_v_scaled, const Vec3<T>& Dw_IB_B_scaled);
 extern template Vec3<Paired<double>> applied_torques_B(const Model<double>&, double, const Quaternion<double>&,
                                                        const Vec3<double>&, double, const Vec3<double>&, const Vec3<double>&);
-extern template Vec3<Paired<long double>> applied_torques_B(const Model<long double>&, long double,
-                                                            const Quaternion<long double>&, const Vec3<long double>&,
-                                                            long double, const Vec3<long double>&, const Vec3<long double>&);
+extern template Vec3<Paired<float80>> applied_torques_B(const Model<float80>&, float80, const Quaternion<float80>&,
+                                                        const Vec3<float80>&, float80, const Vec3<float80>&,
+                                                        const Vec3<float80>&);
 extern template Vec3<Paired<float128>> applied_torques_B(const Model<float128>&, float128, const Quaternion<float128>&,
                                                          const Vec3<float128>&, float128, const Vec3<float128>&,
                                                          const Vec3<float128>&);

@@ -79,7 +79,7 @@ template <class T>
 AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s, int mass_exponent,
                                        int time_exponent);
 extern template AppliedTorques<double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
-extern template AppliedTorques<long double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+extern template AppliedTorques<float80> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 extern template AppliedTorques<float128> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 
 /// m v for a matrix of T and a vector of any scalar type that T converts to.

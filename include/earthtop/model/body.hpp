@@ -55,7 +55,7 @@ Mat3<T> symmetric_inverse(const Mat3<T>& m) {
 template <class T>
 Body<T> make_body(const BodySpec& spec);
 extern template Body<double> make_body(const BodySpec&);
-extern template Body<long double> make_body(const BodySpec&);
+extern template Body<float80> make_body(const BodySpec&);
 extern template Body<float128> make_body(const BodySpec&);
 
 /// Names the moments of a diagonal tensor that are 0 to round-off: "I1 and I2 are 0". Empty where there is none, and for a tensor with

@@ -61,9 +61,8 @@ Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site
                         const GravityGradientSpec* gradient, const NaturalUnits& units = {});
 extern template Contact<double> make_contact(const ContactSpec&, const Body<double>&, const Site&, const TorqueWeights<double>&,
                                              const GravityGradientSpec*, const NaturalUnits&);
-extern template Contact<long double> make_contact(const ContactSpec&, const Body<long double>&, const Site&,
-                                                  const TorqueWeights<long double>&, const GravityGradientSpec*,
-                                                  const NaturalUnits&);
+extern template Contact<float80> make_contact(const ContactSpec&, const Body<float80>&, const Site&,
+                                              const TorqueWeights<float80>&, const GravityGradientSpec*, const NaturalUnits&);
 extern template Contact<float128> make_contact(const ContactSpec&, const Body<float128>&, const Site&,
                                                const TorqueWeights<float128>&, const GravityGradientSpec*, const NaturalUnits&);
 
@@ -71,7 +70,7 @@ extern template Contact<float128> make_contact(const ContactSpec&, const Body<fl
 template <class T>
 Contact<T> in_units(Contact<T> contact, const NaturalUnits& units);
 extern template Contact<double> in_units(Contact<double>, const NaturalUnits&);
-extern template Contact<long double> in_units(Contact<long double>, const NaturalUnits&);
+extern template Contact<float80> in_units(Contact<float80>, const NaturalUnits&);
 extern template Contact<float128> in_units(Contact<float128>, const NaturalUnits&);
 
 /// Attitude q_LH of the table's axes: Up turned toward the direction of steepest descent by the tilt. The identity, exactly, for
@@ -79,7 +78,7 @@ extern template Contact<float128> in_units(Contact<float128>, const NaturalUnits
 template <class T>
 Quaternion<T> table_attitude(double tilt_deg, double azimuth_deg);
 extern template Quaternion<double> table_attitude(double, double);
-extern template Quaternion<long double> table_attitude(double, double);
+extern template Quaternion<float80> table_attitude(double, double);
 extern template Quaternion<float128> table_attitude(double, double);
 
 /// Whether the reduced form holds: the body is symmetric about axis 3, on which C lies.

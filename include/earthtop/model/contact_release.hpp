@@ -90,8 +90,8 @@ std::optional<T> steady_precession_on_table(const Contact<T>& c, T gravity, T co
 template <class T>
 Release<T> make_release_on_table(const ReleaseSpec& spec, const ContactSpec& contact, const Body<T>& body, const Site& site);
 extern template Release<double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<double>&, const Site&);
-extern template Release<long double> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<long double>&,
-                                                           const Site&);
+extern template Release<float80> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float80>&,
+                                                       const Site&);
 extern template Release<float128> make_release_on_table(const ReleaseSpec&, const ContactSpec&, const Body<float128>&,
                                                         const Site&);
 
@@ -100,8 +100,8 @@ template <class T>
 Release<T> make_release_on_table(const ReleaseSpec& spec, const Contact<T>& contact, const Body<T>& body, const Site& site);
 extern template Release<double> make_release_on_table(const ReleaseSpec&, const Contact<double>&, const Body<double>&,
                                                       const Site&);
-extern template Release<long double> make_release_on_table(const ReleaseSpec&, const Contact<long double>&,
-                                                           const Body<long double>&, const Site&);
+extern template Release<float80> make_release_on_table(const ReleaseSpec&, const Contact<float80>&, const Body<float80>&,
+                                                       const Site&);
 extern template Release<float128> make_release_on_table(const ReleaseSpec&, const Contact<float128>&, const Body<float128>&,
                                                         const Site&);
 

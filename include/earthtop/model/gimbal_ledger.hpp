@@ -18,8 +18,8 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
                                        T spin);
 extern template LedgerEntry<double> ledger_entry_in_gimbals(LedgerObserver, const Model<double>&, double,
                                                             const GimbalAngles<double>&, double);
-extern template LedgerEntry<long double> ledger_entry_in_gimbals(LedgerObserver, const Model<long double>&, long double,
-                                                                 const GimbalAngles<long double>&, long double);
+extern template LedgerEntry<float80> ledger_entry_in_gimbals(LedgerObserver, const Model<float80>&, float80,
+                                                             const GimbalAngles<float80>&, float80);
 extern template LedgerEntry<float128> ledger_entry_in_gimbals(LedgerObserver, const Model<float128>&, float128,
                                                               const GimbalAngles<float128>&, float128);
 

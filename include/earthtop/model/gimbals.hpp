@@ -88,7 +88,7 @@ Quaternion<T> gimbal_attitude(const Gimbals<T>& gimbals, const T& outer, const T
                                           bool);                                                                            \
   extern template Gimbals<T> in_units(Gimbals<T>, int, int);
 EARTHTOP_GIMBALS(double)
-EARTHTOP_GIMBALS(long double)
+EARTHTOP_GIMBALS(float80)
 EARTHTOP_GIMBALS(float128)
 #undef EARTHTOP_GIMBALS
 

@@ -54,8 +54,8 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& model, T t,
                             const Vec3<T>& w_LB_B, T spin = T(0));
 extern template LedgerEntry<double> ledger_entry(LedgerObserver, const Model<double>&, double, const Quaternion<double>&,
                                                  const Vec3<double>&, double);
-extern template LedgerEntry<long double> ledger_entry(LedgerObserver, const Model<long double>&, long double,
-                                                      const Quaternion<long double>&, const Vec3<long double>&, long double);
+extern template LedgerEntry<float80> ledger_entry(LedgerObserver, const Model<float80>&, float80, const Quaternion<float80>&,
+                                                  const Vec3<float80>&, float80);
 extern template LedgerEntry<float128> ledger_entry(LedgerObserver, const Model<float128>&, float128,
                                                    const Quaternion<float128>&, const Vec3<float128>&, float128);
 
@@ -81,7 +81,7 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
   template LedgerEntry<T> ledger_entry_on_table(LedgerObserver, const Model<T>&, const Contact<T>&, const ContactRelease<T>&, \
                                                 T, const StateOnTable<T>&)
 extern EARTHTOP_LEDGER_ON_TABLE(double);
-extern EARTHTOP_LEDGER_ON_TABLE(long double);
+extern EARTHTOP_LEDGER_ON_TABLE(float80);
 extern EARTHTOP_LEDGER_ON_TABLE(float128);
 
 }  // namespace earthtop

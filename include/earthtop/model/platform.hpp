@@ -19,7 +19,7 @@ struct Platform {
 template <class T>
 Platform<T> make_platform(const PlatformSpec& spec);
 extern template Platform<double> make_platform(const PlatformSpec&);
-extern template Platform<long double> make_platform(const PlatformSpec&);
+extern template Platform<float80> make_platform(const PlatformSpec&);
 extern template Platform<float128> make_platform(const PlatformSpec&);
 
 /// The acceleration of the pivot relative to L's origin, without apparent gravity, in L axes (m/s^2), in two parts: what a

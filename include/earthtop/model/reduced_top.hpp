@@ -74,7 +74,7 @@ bool is_compass(const Model<T>& model) {
 template <class T>
 ReducedTop<T> reduced_top(const Model<T>& model);
 extern template ReducedTop<double> reduced_top(const Model<double>&);
-extern template ReducedTop<long double> reduced_top(const Model<long double>&);
+extern template ReducedTop<float80> reduced_top(const Model<float80>&);
 extern template ReducedTop<float128> reduced_top(const Model<float128>&);
 
 /// (m l / I1) n / |n|, to second order in the error of |n|: the norm must not scale the torque. A deviation from a motion must

@@ -45,7 +45,7 @@ T steady_precession_rate(const Body<T>& body, const Quaternion<T>& q_LB, T gravi
 template <class T>
 Release<T> make_release(const ReleaseSpec& spec, const Body<T>& body, T gravity);
 extern template Release<double> make_release(const ReleaseSpec&, const Body<double>&, double);
-extern template Release<long double> make_release(const ReleaseSpec&, const Body<long double>&, long double);
+extern template Release<float80> make_release(const ReleaseSpec&, const Body<float80>&, float80);
 extern template Release<float128> make_release(const ReleaseSpec&, const Body<float128>&, float128);
 
 }  // namespace earthtop

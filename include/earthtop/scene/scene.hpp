@@ -129,7 +129,7 @@ class Scene {
   /// release names.
   Scene without_rotation() const;
 
-  /// Body, release and model (SI units); for T double, long double and float128. The given doubles are exact; everything
+  /// Body, release and model (SI units); for T double, float80 and float128. The given doubles are exact; everything
   /// derived from them is computed in T. @throws ScenarioError (release, and a model with an air drag, which needs the spin)
   template <class T>
   const Body<T>& body() const;

@@ -18,8 +18,7 @@ namespace earthtop {
 template <class T>
 taylor::Operations<T> record_drift(const Model<T>& model, Observer observer, std::span<const T> x, T t);
 extern template taylor::Operations<double> record_drift(const Model<double>&, Observer, std::span<const double>, double);
-extern template taylor::Operations<long double> record_drift(const Model<long double>&, Observer, std::span<const long double>,
-                                                             long double);
+extern template taylor::Operations<float80> record_drift(const Model<float80>&, Observer, std::span<const float80>, float80);
 extern template taylor::Operations<float128> record_drift(const Model<float128>&, Observer, std::span<const float128>,
                                                           float128);
 
@@ -33,8 +32,8 @@ taylor::Operations<T> record_spinless(const Equations<T, O>& equations, std::spa
   extern template taylor::Operations<T> record_spinless(const GimbalDriftEquations<T, O>&, std::span<const T>, T);
 EARTHTOP_RECORD_TOP(double, Observer::laboratory)
 EARTHTOP_RECORD_TOP(double, Observer::inertial)
-EARTHTOP_RECORD_TOP(long double, Observer::laboratory)
-EARTHTOP_RECORD_TOP(long double, Observer::inertial)
+EARTHTOP_RECORD_TOP(float80, Observer::laboratory)
+EARTHTOP_RECORD_TOP(float80, Observer::inertial)
 EARTHTOP_RECORD_TOP(float128, Observer::laboratory)
 EARTHTOP_RECORD_TOP(float128, Observer::inertial)
 #undef EARTHTOP_RECORD_TOP

@@ -2,6 +2,6 @@
 #include "drift/pivot/record_drift.ipp"
 
 namespace earthtop {
-EARTHTOP_RECORD(long double)
+EARTHTOP_RECORD(float80)
 EARTHTOP_RECORD(float128)
 }  // namespace earthtop

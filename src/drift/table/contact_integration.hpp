@@ -12,8 +12,8 @@ namespace earthtop {
 template <class T>
 DriftTrajectory<T> integrate_contact(const DriftProblem<T>& problem, const IntegrationOptions& options, const Watch& watch);
 extern template DriftTrajectory<double> integrate_contact(const DriftProblem<double>&, const IntegrationOptions&, const Watch&);
-extern template DriftTrajectory<long double> integrate_contact(const DriftProblem<long double>&, const IntegrationOptions&,
-                                                               const Watch&);
+extern template DriftTrajectory<float80> integrate_contact(const DriftProblem<float80>&, const IntegrationOptions&,
+                                                           const Watch&);
 extern template DriftTrajectory<float128> integrate_contact(const DriftProblem<float128>&, const IntegrationOptions&,
                                                             const Watch&);
 

@@ -21,8 +21,8 @@ taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>& equati
   extern template taylor::Operations<T> record_contact(const ContactGeneralEquations<T, O>&, std::span<const T>, T);
 EARTHTOP_RECORD_CONTACT(double, Observer::laboratory)
 EARTHTOP_RECORD_CONTACT(double, Observer::inertial)
-EARTHTOP_RECORD_CONTACT(long double, Observer::laboratory)
-EARTHTOP_RECORD_CONTACT(long double, Observer::inertial)
+EARTHTOP_RECORD_CONTACT(float80, Observer::laboratory)
+EARTHTOP_RECORD_CONTACT(float80, Observer::inertial)
 EARTHTOP_RECORD_CONTACT(float128, Observer::laboratory)
 EARTHTOP_RECORD_CONTACT(float128, Observer::inertial)
 #undef EARTHTOP_RECORD_CONTACT

@@ -83,7 +83,7 @@ class FourierTop {
 };
 
 extern template class FourierTop<double>;
-extern template class FourierTop<long double>;
+extern template class FourierTop<float80>;
 extern template class FourierTop<float128>;
 
 }  // namespace earthtop

@@ -317,7 +317,7 @@ void Program<T>::expand(T* x, int order) {
 }
 
 template class Program<double>;
-template class Program<long double>;
+template class Program<float80>;
 template class Program<float128>;
 
 }  // namespace earthtop::taylor

@@ -70,7 +70,7 @@ class Program {
   std::vector<std::vector<std::array<T, 3>>> given_rows_;
 };
 extern template class Program<double>;
-extern template class Program<long double>;
+extern template class Program<float80>;
 extern template class Program<float128>;
 
 }  // namespace earthtop::taylor

@@ -280,7 +280,7 @@ ProgramCode<T> program_code(const Operations<T>& operations) {
   return Builder<T>(operations).build();
 }
 template ProgramCode<double> program_code(const Operations<double>&);
-template ProgramCode<long double> program_code(const Operations<long double>&);
+template ProgramCode<float80> program_code(const Operations<float80>&);
 template ProgramCode<float128> program_code(const Operations<float128>&);
 
 }  // namespace earthtop::taylor

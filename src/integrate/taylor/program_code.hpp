@@ -77,7 +77,7 @@ struct ProgramCode {
 template <class T>
 ProgramCode<T> program_code(const Operations<T>& operations);
 extern template ProgramCode<double> program_code(const Operations<double>&);
-extern template ProgramCode<long double> program_code(const Operations<long double>&);
+extern template ProgramCode<float80> program_code(const Operations<float80>&);
 extern template ProgramCode<float128> program_code(const Operations<float128>&);
 
 }  // namespace earthtop::taylor

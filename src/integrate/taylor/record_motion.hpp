@@ -15,8 +15,7 @@ namespace earthtop {
 template <class T>
 taylor::Operations<T> record_motion(const Model<T>& model, std::span<const T> x, T t);
 extern template taylor::Operations<double> record_motion(const Model<double>&, std::span<const double>, double);
-extern template taylor::Operations<long double> record_motion(const Model<long double>&, std::span<const long double>,
-                                                              long double);
+extern template taylor::Operations<float80> record_motion(const Model<float80>&, std::span<const float80>, float80);
 extern template taylor::Operations<float128> record_motion(const Model<float128>&, std::span<const float128>, float128);
 
 /// The equations of a symmetric top's axis (driven_axis_equations.hpp).

@@ -2,6 +2,6 @@
 #include "integrate/taylor/record_motion.ipp"
 
 namespace earthtop {
-template taylor::Operations<long double> record_motion(const Model<long double>&, std::span<const long double>, long double);
+template taylor::Operations<float80> record_motion(const Model<float80>&, std::span<const float80>, float80);
 template taylor::Operations<float128> record_motion(const Model<float128>&, std::span<const float128>, float128);
 }  // namespace earthtop

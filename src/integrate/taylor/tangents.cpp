@@ -139,8 +139,8 @@ Operations<T> with_tangents(const Operations<T>& operations, std::size_t directi
 }
 template Operations<double> with_tangents(const Operations<double>&, std::size_t, std::span<const double>,
                                           std::span<const double>, double);
-template Operations<long double> with_tangents(const Operations<long double>&, std::size_t, std::span<const long double>,
-                                               std::span<const long double>, long double);
+template Operations<float80> with_tangents(const Operations<float80>&, std::size_t, std::span<const float80>,
+                                           std::span<const float80>, float80);
 template Operations<float128> with_tangents(const Operations<float128>&, std::size_t, std::span<const float128>,
                                             std::span<const float128>, float128);
 

@@ -184,7 +184,7 @@ std::string_view name_of(FreeBodyRegime regime) {
 /// A closed form in the precision that was asked for.
 template <template <class> class Form>
 struct InAnyPrecision {
-  std::variant<Form<double>, Form<long double>, Form<float128>> form;
+  std::variant<Form<double>, Form<float80>, Form<float128>> form;
 
   template <class Use>
   auto visit(const Use& use) const {

@@ -33,7 +33,7 @@ pybind11::dtype passed_dtype() {
 template <class Use>
 auto in_precision(std::string_view precision, const Use& use) {
   if (precision == "double") return use(std::type_identity<double>());
-  if (precision == "long_double") return use(std::type_identity<long double>());
+  if (precision == "long_double") return use(std::type_identity<float80>());
   if (precision == "float128") return use(std::type_identity<float128>());
   throw std::invalid_argument("no such precision");
 }

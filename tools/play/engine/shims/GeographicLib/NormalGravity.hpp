@@ -13,8 +13,8 @@ class NormalGravity {
   /// Gravity (m/s^2) of the rotating ellipsoid, to the North and upwards.
   void Gravity(double latitude_deg, double height_m, double& north, double& up) const {
     const SineAndCosine at(latitude_deg);
-    const long double N = Wgs84::a / std::sqrt(1 - Wgs84::e2 * at.s * at.s);
-    const long double X = (N + height_m) * at.c;
+    const float80 N = Wgs84::a / std::sqrt(1 - Wgs84::e2 * at.s * at.s);
+    const float80 X = (N + height_m) * at.c;
     Plane g = attraction(X, (N * (1 - Wgs84::e2) + height_m) * at.s);
     g.X += Wgs84::omega * Wgs84::omega * X;
     north = static_cast<double>(-at.s * g.X + at.c * g.Z);
@@ -30,22 +30,19 @@ class NormalGravity {
 
  private:
   struct Plane {  ///< in the plane of the meridian
-    long double X, Z;
+    float80 X, Z;
   };
   /// H. and M.'s q (2-57) and q' (2-67), at the ellipsoid whose semi-minor axis is u.
-  static long double q(long double u, long double E) { return ((1 + 3 * u * u / (E * E)) * std::atan(E / u) - 3 * u / E) / 2; }
-  static long double q_prime(long double u, long double E) {
-    return 3 * (1 + u * u / (E * E)) * (1 - u / E * std::atan(E / u)) - 1;
-  }
+  static float80 q(float80 u, float80 E) { return ((1 + 3 * u * u / (E * E)) * std::atan(E / u) - 3 * u / E) / 2; }
+  static float80 q_prime(float80 u, float80 E) { return 3 * (1 + u * u / (E * E)) * (1 - u / E * std::atan(E / u)) - 1; }
   /// The gradient of the potential (2-62) in the coordinates u and beta, with X = sqrt(u^2 + E^2) cos beta and Z = u sin beta.
-  static Plane attraction(long double X, long double Z) {
-    const long double E2 = Wgs84::E2, E = std::sqrt(E2), b = Wgs84::b;
-    const long double rest = X * X + Z * Z - E2, u = std::sqrt((rest + std::sqrt(rest * rest + 4 * E2 * Z * Z)) / 2);
-    const long double v = std::sqrt(u * u + E2), s = Z / u, c = X / v;
-    const long double w2 = (u * u + E2 * s * s) / (v * v),
-                      turning = Wgs84::omega * Wgs84::omega * Wgs84::a * Wgs84::a / q(b, E);
-    const long double by_u = -(Wgs84::GM + turning * E * q_prime(u, E) * (s * s - 1.0L / 3) / 2) / (v * v);
-    const long double by_beta = turning * q(u, E) * s * c / v;
+  static Plane attraction(float80 X, float80 Z) {
+    const float80 E2 = Wgs84::E2, E = std::sqrt(E2), b = Wgs84::b;
+    const float80 rest = X * X + Z * Z - E2, u = std::sqrt((rest + std::sqrt(rest * rest + 4 * E2 * Z * Z)) / 2);
+    const float80 v = std::sqrt(u * u + E2), s = Z / u, c = X / v;
+    const float80 w2 = (u * u + E2 * s * s) / (v * v), turning = Wgs84::omega * Wgs84::omega * Wgs84::a * Wgs84::a / q(b, E);
+    const float80 by_u = -(Wgs84::GM + turning * E * q_prime(u, E) * (s * s - 1.0L / 3) / 2) / (v * v);
+    const float80 by_beta = turning * q(u, E) * s * c / v;
     return {(by_u * u / v * c - by_beta * s) / w2, (by_u * s + by_beta * u / v * c) / w2};
   }
 };
