@@ -102,7 +102,7 @@ KickFilter<T> fine(T period, T ratio, int spacing = 1) {
   f.spacing = spacing;
   f.parts = 17;
   constexpr std::size_t kHalf = 8, kUnknown = kHalf;
-  const float80 apart = spacing / 5;
+  const float80 apart = float80(spacing) / 5;
   // To parts at fifths of the period, the third and fourth harmonics are the second and first ones backward.
   const std::array<std::pair<float80, float80>, kUnknown> responses{
       {{0, 1}, {p, 1}, {n - p, 0}, {n, 0}, {n + p, 0}, {2 * n - p, 0}, {2 * n, 0}, {2 * n + p, 0}}};
