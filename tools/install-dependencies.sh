@@ -3,6 +3,7 @@
 # Installs the packages needed to build earthtop, on Debian 12, Debian 13 or their relatives. Only missing ones are installed, so that a
 # second call costs nothing.
 #   tools/install-dependencies.sh [--program] [MORE_PACKAGES...]     --program: without what only tests and benchmarks need
+#   tools/install-dependencies.sh --list                             prints the libraries' packages, installs nothing
 set -euo pipefail
 
 tests=(libgtest-dev libbenchmark-dev)
@@ -11,11 +12,16 @@ if [[ ${1:-} == --program ]]; then
   shift
 fi
 
-packages=( # zlib1g-dev: Debian's sqlite3.pc asks for it, but its package does not
-  g++ cmake ninja-build pkg-config git
+tools=(g++ cmake ninja-build pkg-config git)
+libraries=( # zlib1g-dev: Debian's sqlite3.pc asks for it, but its package does not
   libeigen3-dev libgsl-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgeographiclib-dev liberfa-dev libsleef-dev libmd-dev libsqlite3-dev zlib1g-dev libxxhash-dev
-  "${tests[@]}" "$@"
+  "${tests[@]}"
 )
+if [[ ${1:-} == --list ]]; then
+  printf '%s\n' "${libraries[@]}" libboost-dev
+  exit 0
+fi
+packages=("${tools[@]}" "${libraries[@]}" "$@")
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "No apt-get here. earthtop needs the equivalents of these Debian packages; CMake will name what it does not find:" >&2

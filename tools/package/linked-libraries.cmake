@@ -123,10 +123,11 @@ endfunction()
 
 # list_of_linked(TARGET NAME LIST HEADERS NAMES...) makes a target TARGET-list, which writes LIST, what of other libraries
 # TARGET is made of, as SPDX: libraries of headers alone, by their names in the table; archives; and what the finished file says that it
-# loads. A library that is missing in the table stops the build. With sanitizers, whose libraries are not there, no list is made.
+# loads. A library that is missing in the table stops the build. With sanitizers, whose libraries are not there, and for another
+# processor, whose packages are not installed here, no list is made.
 function(list_of_linked target name list)
   cmake_parse_arguments(PARSE_ARGV 3 "" "" "" "HEADERS")
-  if(EARTHTOP_SANITIZE)
+  if(EARTHTOP_SANITIZE OR CMAKE_CROSSCOMPILING)
     return()
   endif()
   get_target_property(archives ${target} EARTHTOP_ARCHIVES)
