@@ -11,6 +11,8 @@ set(known_libraries
   "Eigen3::Eigen|eigen3|libeigen3-dev||MPL-2.0"
   "nlohmann_json::nlohmann_json||nlohmann-json3-dev||MIT"
   "pybind11::module||pybind11-dev||BSD-3-Clause"
+  "Python::Module||python3-dev||PSF-2.0"
+  "Python::NumPy||python3-numpy||BSD-3-Clause"
   "GSL::gsl|gsl|libgsl-dev|gsl|GPL-3.0-or-later"
   "GSL::gslcblas|gsl|libgsl-dev|gslcblas|GPL-3.0-or-later"
   "fmt::fmt|fmt|libfmt-dev|fmt|MIT"
@@ -38,6 +40,35 @@ set(known_libraries
   "|||event_.*|BSD-3-Clause"
   "|||udev|LGPL-2.1-or-later"
   "|||z|Zlib")
+
+# stop_if_missing(TARGETS...) stops, naming all of these targets that were not found, and what of Debian has them.
+function(stop_if_missing)
+  set(lacking "")
+  set(packages "")
+  foreach(entry IN LISTS known_libraries)
+    string(REPLACE "|" ";" entry "${entry}")
+    list(POP_FRONT entry target module debian)
+    if(target IN_LIST ARGN AND NOT TARGET ${target})
+      string(REGEX REPLACE "\\[[^]]*\\][*]" "" debian "${debian}") # any version of Boost
+      string(REPLACE "PkgConfig::" "" name ${target})
+      list(APPEND lacking ${name})
+      string(REPLACE " " ";" debian "${debian}")
+      list(APPEND packages ${debian})
+    endif()
+  endforeach()
+  if(lacking)
+    find_program(EARTHTOP_PKG_CONFIG NAMES pkgconf pkg-config)
+    mark_as_advanced(EARTHTOP_PKG_CONFIG)
+    if(NOT EARTHTOP_PKG_CONFIG) # without which some are not found
+      list(APPEND lacking pkg-config)
+      list(APPEND packages pkg-config)
+    endif()
+    list(JOIN lacking ", " lacking)
+    list(JOIN packages " " packages)
+    message(FATAL_ERROR "Not found, or too old (README.md has the versions): ${lacking}.\nOn Debian:\n"
+                        "  apt-get install --no-install-recommends ${packages}\n")
+  endif()
+endfunction()
 
 # linked_libraries(LIBRARY) sets LIBRARY_modules, LIBRARY_flags, LIBRARY_debian, and LIBRARY_public_modules: the modules whose
 # headers the library's own headers include. A library that is missing in the table stops the configuration, because packages
@@ -100,10 +131,9 @@ function(linked_libraries library)
   endforeach()
 endfunction()
 
-# link_archives(TARGET NAMES...) links TARGET with earthtop::workbench, and for these libraries with their archives; with the shared
-# library where there is none. Its property EARTHTOP_ARCHIVES says which were found. An archive is looked for where CMake looks for
-# libraries, and where the compiler has its own.
-function(link_archives target)
+# find_archives(OUT NAMES...): the archives of these libraries, as far as there are any. They are looked for where CMake looks for libraries,
+# and where the compiler has its own.
+function(find_archives out)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libstdc++.a OUTPUT_VARIABLE of_compiler OUTPUT_STRIP_TRAILING_WHITESPACE)
   cmake_path(GET of_compiler PARENT_PATH of_compiler)
   set(archives "")
@@ -114,11 +144,47 @@ function(link_archives target)
       list(APPEND archives ${EARTHTOP_STATIC_${library}})
     endif()
   endforeach()
+  set(${out} "${archives}" PARENT_SCOPE)
+endfunction()
+
+# link_archives(TARGET NAMES...) links TARGET with earthtop::workbench, and for these libraries with their archives; with the shared
+# library where there is none. Its property EARTHTOP_ARCHIVES says which were found. A name may also be an archive that this build makes.
+function(link_archives target)
+  set(made ${ARGN})
+  set(names ${ARGN})
+  list(FILTER made INCLUDE REGEX "/")
+  list(FILTER names EXCLUDE REGEX "/")
+  find_archives(archives ${names})
+  list(APPEND archives ${made})
   # What comes after the group is only linked where it is still needed: the shared library of an archive is not.
   target_link_libraries(${target} PRIVATE
     -Wl,--start-group $<TARGET_FILE:earthtop::workbench> $<TARGET_FILE:earthtop::earthtop> ${archives}
     -Wl,--end-group -Wl,--as-needed earthtop::workbench)
   set_target_properties(${target} PROPERTIES EARTHTOP_ARCHIVES "${archives}")
+endfunction()
+
+# sleef_archive(TARGET OUT): an archive of SLEEF, of which Debian has none, made before TARGET is linked: the functions that the library
+# calls, transcribed from the machine code of the shared library, so that they give the same bits.
+function(sleef_archive target out)
+  set(tools ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..)
+  find_library(EARTHTOP_SHARED_SLEEF NAMES libsleef.so REQUIRED)
+  mark_as_advanced(EARTHTOP_SHARED_SLEEF)
+  if(NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
+    message(FATAL_ERROR "Without a libsleef.a this is made for x86-64 alone, not for ${CMAKE_SYSTEM_PROCESSOR}")
+  endif()
+  set(made ${CMAKE_CURRENT_BINARY_DIR}/${target}-sleef)
+  add_custom_command(OUTPUT ${made}/libsleef.a
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${made}
+    COMMAND python3 ${tools}/play/engine/transcribe_sleef.py ${tools}/../src/elementary.cpp ${EARTHTOP_SHARED_SLEEF} > ${made}/sleef.c
+    COMMAND ${CMAKE_CXX_COMPILER} -x c -std=gnu11 -O2 -fPIC -ffp-contract=off -fvisibility=hidden -c ${made}/sleef.c -o ${made}/sleef.o
+    COMMAND ${CMAKE_AR} rcsD ${made}/libsleef.a ${made}/sleef.o
+    DEPENDS ${tools}/play/engine/transcribe_sleef.py ${tools}/../src/elementary.cpp ${EARTHTOP_SHARED_SLEEF}
+    COMMENT "An archive of SLEEF"
+    VERBATIM)
+  add_custom_target(${target}-sleef DEPENDS ${made}/libsleef.a)
+  add_dependencies(${target} ${target}-sleef)
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${made}/libsleef.a)
+  set(${out} ${made}/libsleef.a PARENT_SCOPE)
 endfunction()
 
 # list_of_linked(TARGET NAME LIST HEADERS NAMES...) makes a target TARGET-list, which writes LIST, what of other libraries
@@ -134,6 +200,7 @@ function(list_of_linked target name list)
   if(NOT archives)
     set(archives "")
   endif()
+  string(REGEX REPLACE "/usr/.*" "" python_root "${pybind11_DIR}") # of a Python of another Debian
   find_package(Git QUIET)
   set(directory ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
   execute_process(COMMAND ${CMAKE_COMMAND} -E env TZ=UTC ${GIT_EXECUTABLE} -C ${directory} log -1 --format=%cd
@@ -143,7 +210,7 @@ function(list_of_linked target name list)
   string(REGEX MATCH "[0-9.]+" version "${version}")
   add_custom_command(OUTPUT ${list}
     COMMAND ${CMAKE_COMMAND} -DNAME=${name} -DVERSION=${version} -DCREATED=${created} -DLINKED=$<TARGET_FILE:${target}>
-            -DOBJDUMP=${CMAKE_OBJDUMP} "-DHEADERS=${_HEADERS}" "-DSTATIC=${archives}" -DLIST=${list} -P ${directory}/spdx.cmake
+            -DOBJDUMP=${CMAKE_OBJDUMP} "-DHEADERS=${_HEADERS}" "-DSTATIC=${archives}" "-DPYTHON_ROOT=${python_root}" -DLIST=${list} -P ${directory}/spdx.cmake
     DEPENDS ${target} ${directory}/linked-libraries.cmake ${directory}/spdx.cmake
     COMMENT "What ${target} is linked with, as SPDX"
     VERBATIM)

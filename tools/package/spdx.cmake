@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes what of other libraries a linked file is made of, with versions and licences, as SPDX 2.3. Versions are those of the Debian packages
 # on this machine. The same file on the same machine gives the same bytes: the time is that of the commit, or SOURCE_DATE_EPOCH.
-#   cmake -DNAME=... -DVERSION=... -DCREATED=... -DLINKED=FILE -DOBJDUMP=... -DHEADERS=... -DSTATIC=... -DLIST=FILE -P spdx.cmake
+#   cmake -DNAME=... -DVERSION=... -DCREATED=... -DLINKED=FILE -DOBJDUMP=... -DHEADERS=... -DSTATIC=... -DPYTHON_ROOT=... -DLIST=FILE -P spdx.cmake
 # See list_of_linked() in linked-libraries.cmake.
 cmake_policy(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/linked-libraries.cmake)
@@ -50,17 +50,20 @@ function(add name licence debian relationship)
       PARENT_SCOPE)
 endfunction()
 
-# The licence of a library file, by the table; "" if it is not there.
+# The licence of a library file and its Debian package, by the table; "" if it is not there.
 function(licence_of out file)
   get_filename_component(name ${file} NAME)
   string(REGEX REPLACE "^lib|[.](a|so[.0-9]*)$|-[0-9.]+[.]so[.0-9]*$" "" stem ${name})
   set(${out} "" PARENT_SCOPE)
+  set(${out}_package "" PARENT_SCOPE)
   foreach(entry IN LISTS known_libraries)
     string(REPLACE "|" ";" entry "${entry}")
     list(GET entry 3 pattern)
     if(pattern AND stem MATCHES "^${pattern}$")
       list(GET entry 4 licence)
+      list(GET entry 2 debian)
       set(${out} "${licence}" PARENT_SCOPE)
+      set(${out}_package "${debian}" PARENT_SCOPE)
       return()
     endif()
   endforeach()
@@ -104,8 +107,21 @@ foreach(line IN LISTS lines)
     list(APPEND patterns ${CMAKE_MATCH_1})
   endif()
 endforeach()
-execute_process(COMMAND dpkg-query --show "--showformat=\${db:Status-Status} \${Package} \${Version} \${Architecture}\\n" ${patterns}
-                OUTPUT_VARIABLE lines ERROR_QUIET)
+foreach(file IN LISTS files) # an archive that this build has made is of the version of the library from which it is made
+  if(NOT owner_${file})
+    licence_of(licence ${file})
+    set(owner_${file} "${licence_package}")
+    list(APPEND patterns ${licence_package})
+  endif()
+endforeach()
+set(format "\${db:Status-Status} \${Package} \${Version} \${Architecture}\\n")
+execute_process(COMMAND dpkg-query --show "--showformat=${format}" ${patterns} OUTPUT_VARIABLE lines ERROR_QUIET)
+if(PYTHON_ROOT) # where another Debian's Python is, and its pybind11
+  execute_process(COMMAND dpkg-query --admindir=${PYTHON_ROOT}/var/lib/dpkg --show "--showformat=${format}" pybind11-dev
+                  OUTPUT_VARIABLE other ERROR_QUIET)
+  string(REGEX REPLACE "installed pybind11-dev [^\n]*\n" "" lines "${lines}")
+  string(APPEND lines "${other}")
+endif()
 string(REGEX MATCHALL "[^\n]+" installed "${lines}")
 list(FILTER installed INCLUDE REGEX "^installed ")
 function(installed_package out pattern)
