@@ -91,6 +91,7 @@ function refusals(program, engine) {
     "a number without end": changed((s) => { s.site.latitude_deg = 1; }).replace("\"latitude_deg\":1", "\"latitude_deg\":1e999"),
   };
   const before = engine.text(toyTop);
+  expect(engine.refusal(toyTop) === null, "asked beforehand, the engine refuses the toy top");
   for (const [what, text] of Object.entries(texts)) {
     const answer = engine.run(text);
     expect(answer.error && !answer.summary, `${what}: is not refused`);
@@ -103,10 +104,13 @@ function refusals(program, engine) {
     "113 bits": [changed((s) => { s.numerics = { precision: "float128" }; }), "double alone"],
     "a million rows": [changed((s) => { s.motion = { duration_s: 60, output_step_s: 6e-5 }; }), "rows"],
     "a year": [changed((s) => { s.motion = { duration_s: 3e7, output_step_s: 1e6 }; s.numerics = { method: "dopri5", relative_tolerance: 1e-12 }; }), "shorter duration"],
+    "a date": [changed((s) => { s.motion.start_utc = "2026-11-22T12:00:00Z"; }), "no places of the Sun and the Moon"],
+    "chosen effects": [changed((s) => { s.effects = "auto"; s.accuracy = { drift_rad: 1e-7 }; }), "no places of the Sun and the Moon"],
     "a NUL": ["{\"a\u0000\": 1}", "closing quote"], // ends the text for the engine
   };
   for (const [what, [text, part]] of Object.entries(limits)) {
-    const { error } = engine.run(text);
+    const { error } = engine.run(text), asked = engine.refusal(text);
+    expect(JSON.stringify(asked?.error) === JSON.stringify(error), `${what}: asked beforehand, the engine says ${JSON.stringify(asked)}`);
     expect(error && `${error.message}; ${error.remedy}`.includes(part), `${what}: ${JSON.stringify(error)}`);
   }
   expect(engine.text(toyTop) === before || differsInSecondsOnly(before, engine.text(toyTop)), "after refusals the engine gives other digits");
