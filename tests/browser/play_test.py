@@ -294,8 +294,8 @@ def reduced_motion(browser: devtools.Browser, own: str) -> None:
 
 def refused(page: Tab, fragment: str, part: str) -> None:
     """A hostile link is refused in a sentence, nothing of it runs, and the page goes on with its first scene."""
-    page.evaluate(f"document.querySelector('#link-alert').hidden = true; location.hash = {json.dumps(fragment)};"
-                  "window.dispatchEvent(new Event('hashchange'))")
+    page.evaluate(f"(() => {{ document.querySelector('#link-alert').hidden = true; location.hash = {json.dumps(fragment)};"
+                  "window.dispatchEvent(new Event('hashchange')); })()")
     page.evaluate("""new Promise(done => { const end = performance.now() + 3000, look = () => !document.querySelector('#link-alert').hidden ||
         performance.now() > end ? done() : setTimeout(look, 5); look(); })""")
     said, hidden = page.evaluate("(e => [e.textContent, e.hidden])(document.querySelector('#link-alert'))")
