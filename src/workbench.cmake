@@ -100,6 +100,7 @@ add_library(earthtop-workbench
   report/exact_inputs_html.cpp
   report/finding.cpp
   report/first_figure.cpp
+  report/gallery.cpp
   report/html.cpp
   report/known_html.cpp
   report/measurement_page.cpp
@@ -114,6 +115,7 @@ add_library(earthtop-workbench
   report/study_cells.cpp
   report/study_finding.cpp
   report/study_page.cpp
+  report/study_picture.cpp
   report/study_points.cpp
   report/study_words.cpp
   report/thinning.cpp

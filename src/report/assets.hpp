@@ -7,6 +7,9 @@
 namespace earthtop::report {
 
 std::string_view page_style();
-std::string_view page_script();
+/// Of the page of a run, of a study, and of everything else.
+std::string_view run_script();
+std::string_view study_script();
+std::string_view other_script();
 
 }  // namespace earthtop::report

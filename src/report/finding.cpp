@@ -199,6 +199,14 @@ std::string all_digits(const Run& run, const LastDrift& drift) {
 
 }  // namespace
 
+std::string_view group_of(const Run& run) {
+  const std::string name = name_of_top(run);
+  if (run.has_contact) return kOnTable;
+  if (name == "pendulum") return kPendulums;
+  if (name == "gyroscope") return kGyroscopes;
+  return name == "body" ? kTumbling : kOnPoint;
+}
+
 std::string finding_html(const Run& run) {
   const LastDrift drift = last_drift(run);
   const std::string name = name_of_top(run), verdict = run.word("/drift/verdict");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "report/run_data.hpp"
 
@@ -10,6 +11,14 @@ namespace earthtop::report {
 
 /// The finding in words, as HTML: "In a minute the Earth turns this top's axis 235.2 arcseconds off course".
 std::string finding_html(const Run& run);
+
+/// The kinds of things that a gallery groups pages by, in its order.
+inline constexpr std::string_view kOnPoint = "Tops on a point", kGyroscopes = "Gyroscopes", kPendulums = "Pendulums",
+                                  kOnTable = "On a table", kTumbling = "Bodies that tumble",
+                                  kStudies = "Studies: many runs each";
+inline constexpr std::string_view kGroups[] = {kOnPoint, kGyroscopes, kPendulums, kOnTable, kTumbling, kStudies};
+/// That of a run.
+std::string_view group_of(const Run& run);
 
 /// A sentence on what that is in a length and beside the Sun's disc, as HTML.
 std::string measure_html(const Run& run);

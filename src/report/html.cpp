@@ -104,13 +104,6 @@ Json chart_json(const Figure& drawn, const std::vector<double>& x, const std::ve
   return json;
 }
 
-/// Removes the style of a picture: the page's own style contains its rules.
-std::string without_style(std::string picture) {
-  const std::size_t begin = picture.find("<style>"), end = picture.find("</style>");
-  if (begin != picture.npos && end != picture.npos) picture.erase(begin, end + 9 - begin);
-  return picture;
-}
-
 /// Both drawings; the page's style shows one of them.
 std::string drawings_html(const Drawings& drawings) {
   if (drawings.narrow.empty()) return without_style(drawings.wide);
@@ -140,6 +133,12 @@ std::string data_text(const Json& data) {
 }  // namespace
 
 std::string escaped(std::string_view text) { return escape_xml(text); }
+
+std::string without_style(std::string picture) {
+  const std::size_t begin = picture.find("<style>"), end = picture.find("</style>");
+  if (begin != picture.npos && end != picture.npos) picture.erase(begin, end + std::string_view("</style>\n").size() - begin);
+  return picture;
+}
 
 std::string facts_html(const Facts& facts) {
   std::string html = "<dl class=\"facts\">";
@@ -232,20 +231,35 @@ std::string Page::drawn(const std::string& name, Figure figure, std::string_view
   drawings.narrow = svg(figure, PlotWidth::narrow);
   std::string html = fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n{}{}{}</figure>\n", name, drawings_html(drawings),
                                  caption.empty() ? "" : "<figcaption>" + escaped(caption) + "</figcaption>\n", table);
-  pictures_.emplace_back(name, std::move(drawings.wide));
+  if (small_.empty()) {  // one panel of it, which can be read
+    figure.subtitle.clear();
+    if (figure.title == title_) figure.title = "The drift of its axis";
+    figure.panels.resize(1);
+    small_ = svg(figure, PlotWidth::narrow);
+  }
+  keep(name, drawings);
   return html;
+}
+
+void Page::keep(const std::string& name, const Drawings& drawings) {
+  if (small_.empty()) small_ = drawings.narrow;
+  pictures_.emplace_back(name, drawings.wide);
+}
+
+void Page::belongs_to(const std::string& index, const std::string& html) {
+  above_ = fmt::format("<p class=\"above\"><a href=\"{}\">The gallery</a> {}</p>\n", escaped(index), html);
 }
 
 std::string Page::picture(const std::string& name, Drawings drawings, std::string_view caption, const std::string& table) {
   std::string html = fmt::format("<figure class=\"chart\">\n{}<figcaption>{}</figcaption>\n{}</figure>\n",
                                  drawings_html(drawings), escaped(caption), details(table));
-  pictures_.emplace_back(name, std::move(drawings.wide));
+  keep(name, drawings);
   return html;
 }
 
 std::string Page::still(const std::string& name, Drawings drawings) {
   std::string html = "<div class=\"still\">\n" + drawings_html(drawings) + "</div>\n";
-  pictures_.emplace_back(name, std::move(drawings.wide));
+  keep(name, drawings);
   return html;
 }
 
@@ -265,12 +279,15 @@ Report Page::finish() {
   if (!folded_.empty())
     sections_ = folded_ + "<nav aria-label=\"Parts\"><ul>" + folded_navigation_ + "</ul></nav>\n" + sections_ + "</details>\n";
   const std::string body = fmt::format(
-      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n{}\n{}{}{}</header>\n"
+      "<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<header>\n{}{}\n{}{}{}</header>\n"
       "<nav aria-label=\"Sections\"><ul>{}</ul></nav>\n<main id=\"main\">\n{}</main>\n<footer><p>earthtop {}, "
       "{}</p></footer>\n",
-      heading, headline_.empty() ? "" : "<p class=\"headline\">" + headline_ + "</p>\n", verdict_, notes, navigation_,
+      above_, heading, headline_.empty() ? "" : "<p class=\"headline\">" + headline_ + "</p>\n", verdict_, notes, navigation_,
       sections_, escaped(build.version), escaped(build.commit));
-  const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", page_script());
+  const Json& kind = data_["kind"];
+  const std::string script = fmt::format("(() => {{\n\"use strict\";\n{}}})();\n", kind == "run"     ? run_script()
+                                                                                   : kind == "study" ? study_script()
+                                                                                                     : other_script());
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"Content-Security-Policy\" "
       "content=\"{}\">\n"
@@ -281,7 +298,8 @@ Report Page::finish() {
       "</body>\n</html>\n",
       kPolicyPlace, escaped(title_), page_style(), body, data_text(data_), script);
   set_content_policy(html);
-  return {std::move(html), std::move(pictures_), std::move(notes_)};
+  return {std::move(html),   std::move(pictures_), std::move(notes_), std::move(title_),
+          std::move(group_), std::move(finding_),  std::move(small_)};
 }
 
 }  // namespace earthtop::report

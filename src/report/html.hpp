@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 /// Escapes text to be put between tags or in a quoted attribute.
 std::string escaped(std::string_view text);
 
+/// A picture without its style: a page's own style contains its rules.
+std::string without_style(std::string picture);
+
 /// A list of terms and their descriptions; the descriptions are HTML.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 std::string facts_html(const Facts& facts);
@@ -66,6 +69,12 @@ class Page {
   /// A text with a button to copy it.
   static std::string command(std::string_view text);
   Json& data() { return data_; }
+  /// The kind of thing that the page is about, as a gallery groups them.
+  void group(std::string_view title) { group_ = title; }
+  /// A link back to the gallery's index above the title, and a sentence beside it; HTML. The page is then one of a gallery.
+  void belongs_to(const std::string& index, const std::string& html);
+  /// A small picture for an index, where the page has none to take it from; an SVG document.
+  void small_picture(std::string svg) { small_ = std::move(svg); }
 
   Report finish();
 
@@ -73,7 +82,10 @@ class Page {
   /// Both drawings of a figure with its caption and a table; the wide one is kept.
   std::string drawn(const std::string& name, Figure figure, std::string_view caption, const std::string& table);
 
-  std::string title_, finding_, headline_, verdict_, navigation_, sections_;
+  /// Keeps the drawings of a picture: the wide one for `--svg`, of the first the narrow one for an index.
+  void keep(const std::string& name, const Drawings& drawings);
+
+  std::string title_, finding_, headline_, verdict_, navigation_, sections_, group_, above_, small_;
   std::string folded_,
       folded_navigation_;  ///< the begin of the folded part, and the links to its sections; empty: there is none
   Json data_ = Json::object();

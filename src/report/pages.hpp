@@ -9,8 +9,9 @@
 
 namespace earthtop::report {
 
-Report run_page(const std::filesystem::path& directory, const Watch& watch);
-Report study_page(const std::filesystem::path& store, const Watch& watch);
+// @param gallery  as of make_report
+Report run_page(const std::filesystem::path& directory, const Watch& watch, const std::string& gallery);
+Report study_page(const std::filesystem::path& store, const Watch& watch, const std::string& gallery);
 // @param notes  sentences on what could not be verified
 Report comparison_page(const Json& document, const std::vector<std::string>& notes);
 Report measurement_page(const Json& document, const std::vector<std::string>& notes);

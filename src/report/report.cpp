@@ -66,13 +66,13 @@ Report document_page(const std::filesystem::path& file) {
 }  // namespace
 }  // namespace report
 
-Report make_report(const std::filesystem::path& what, const Watch& watch) try {
+Report make_report(const std::filesystem::path& what, const Watch& watch, const std::string& gallery) try {
   using compare::ComparandKind;
   if (report::is_document(what)) return report::document_page(what);
   compare::finish_update(what);
   switch (compare::kind_of(what)) {
-    case ComparandKind::results: return report::run_page(what, watch);
-    case ComparandKind::store: return report::study_page(store_at(what), watch);
+    case ComparandKind::results: return report::run_page(what, watch, gallery);
+    case ComparandKind::store: return report::study_page(store_at(what), watch, gallery);
     default:
       refuse_file(what,
                   "is neither the results of a run nor a study; give one of them, or a document of compare, plan or bench");

@@ -27,6 +27,7 @@
 #include "report/thinning.hpp"
 #include "report/top_still.hpp"
 #include "results/seal.hpp"
+#include "run/playable.hpp"
 #include "scene/parts.hpp"
 #include "text/number_words.hpp"
 
@@ -248,13 +249,27 @@ Run read_run(const std::filesystem::path& directory, const Watch& watch) {
   return run;
 }
 
+/// Whether the page to play with runs the scene, and why not.
+std::string played_html(const Run& run) {
+  if (!run.scene) return "";
+  const std::string why_not = unplayable(*run.scene);
+  if (why_not.empty()) {
+    std::string name = run.scene->scenario().name;
+    std::replace(name.begin(), name.end(), '-', ' ');
+    return fmt::format("The page to play with runs this scene, too: it is <code>{}</code> there.", escaped(name));
+  }
+  return fmt::format("The page to play with does not run this scene: {}.", escaped(why_not.substr(0, why_not.find("; "))));
+}
+
 }  // namespace
 
-Report run_page(const std::filesystem::path& directory, const Watch& watch) {
+Report run_page(const std::filesystem::path& directory, const Watch& watch, const std::string& gallery) {
   const Run run = read_run(directory, watch);
   std::vector<std::string> notes;
   for (const std::filesystem::path& path : run.results.unverified) notes.push_back(unverified(path));
   Page page("run", title_of(run), std::move(notes));
+  page.group(group_of(run));
+  if (!gallery.empty()) page.belongs_to(gallery, played_html(run));
   page.finding(finding_html(run));
   page.headline(measure_html(run));
   page.verdict(run.word("/drift/verdict"), trust_html(run));

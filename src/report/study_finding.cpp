@@ -22,7 +22,9 @@ double number_at(const Json& json, const char* key) {
   return value.is_number() ? value.get<double>() : NAN;
 }
 
-/// The first quantity with numbers: none of the bounds, where there is another.
+}  // namespace
+
+// The first quantity with numbers: none of the bounds, where there is another.
 std::optional<StudyColumn> quantity_told(const Json& study) {
   std::optional<StudyColumn> found;
   const Json statistics = study.value("statistics", Json::object());
@@ -33,6 +35,8 @@ std::optional<StudyColumn> quantity_told(const Json& study) {
   }
   return found;
 }
+
+namespace {
 
 /// The largest error bound of a drift, where the study collects it: "drift.axis_bound_rad" of "drift.axis_final_rad".
 std::optional<double> bound_of(const Json& study, const StudyColumn& told) {
@@ -61,14 +65,6 @@ std::string apart(const StudyColumn& quantity, double one, double other) {
   while (count < 15 && one != other && digits(count).first == digits(count).second) ++count;
   return quantity.text(one, count);
 }
-
-/// One value of a setting, and the quantity's mean there.
-struct Level {
-  std::string name;
-  std::optional<double> place;  ///< none for words
-  double mean = 0;
-  double count = 0;
-};
 
 /// The levels of a setting in ascending order where they are numbers; none where they do not tell points apart: keys that vary together
 /// are known by the first one only.
@@ -120,39 +116,49 @@ std::string course(const std::vector<Level>& levels, const StudyColumn& quantity
   return fmt::format("is least, {}, at {} and largest, {}, at {}", low, least->name, high, most->name);
 }
 
-/// Returns the setting of a grid along which the mean over all others moves most.
-std::string grid_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
+/// The setting along which the mean over all others moves most.
+std::optional<ToldMeans> most_moving(const Json& study, const StudyColumn& quantity) {
+  std::optional<ToldMeans> chosen;
   const std::vector<StudyColumn> settings = settings_of(study);
-  std::vector<Level> chosen;
-  std::size_t at = settings.size();
   for (std::size_t i = 0; i < settings.size(); ++i) {
     std::vector<Level> levels = levels_of(study, i, settings[i], quantity);
     if (levels.size() < 2) continue;
-    if (chosen.empty() || extremes_of(levels).spread() > extremes_of(chosen).spread()) chosen = std::move(levels), at = i;
+    if (!chosen || extremes_of(levels).spread() > extremes_of(chosen->levels).spread())
+      chosen = ToldMeans{quantity, settings[i], std::move(levels)};
   }
-  if (chosen.empty() || !(extremes_of(chosen).spread() > 0))
+  if (chosen && !(extremes_of(chosen->levels).spread() > 0)) chosen.reset();
+  return chosen;
+}
+
+std::string grid_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
+  const auto chosen = most_moving(study, quantity);
+  if (!chosen)
     return fmt::format("The {} lies between {} and {}", quantity.words, apart(quantity, least, most),
                        apart(quantity, most, least));
-  if (settings.size() == 1)
-    return fmt::format("With the {}, the {} {}", settings[at].words, quantity.words, course(chosen, quantity));
+  if (settings_of(study).size() == 1)
+    return fmt::format("With the {}, the {} {}", chosen->setting.words, quantity.words, course(chosen->levels, quantity));
   return fmt::format("The {} depends most on the {}: on average over the other settings it {}", quantity.words,
-                     settings[at].words, course(chosen, quantity));
+                     chosen->setting.words, course(chosen->levels, quantity));
+}
+
+/// The point where no setting is changed; null where the document does not list it.
+const Json* unchanged_point(const Json& study, const std::vector<StudyColumn>& settings) {
+  const auto points = study.find("points");
+  if (points == study.end() || !points->is_array()) return nullptr;  // there are more than a document lists
+  for (const Json& point : *points)
+    if (std::all_of(settings.begin(), settings.end(), [&](const auto& s) { return point.value(s.key, Json()).is_null(); }))
+      return &point;
+  return nullptr;
 }
 
 /// Returns, among settings that are changed one at a time, the one whose change moves the quantity most from the point where none is changed.
 std::string one_by_one_finding(const Json& study, const StudyColumn& quantity, double least, double most) {
   const std::vector<StudyColumn> settings = settings_of(study);
-  Json points = study.value("points", Json());
-  if (!points.is_array()) points = Json::array();  // there are more than a document lists
   const auto value_of = [&](const Json& point) { return number_at(point, quantity.key.c_str()); };
-  const Json* base = nullptr;
+  const Json* base = unchanged_point(study, settings);
   const Json* farthest = nullptr;
-  for (const Json& point : points)
-    if (!base &&
-        std::all_of(settings.begin(), settings.end(), [&](const auto& s) { return point.value(s.key, Json()).is_null(); }))
-      base = &point;
   if (base)
-    for (const Json& point : points)
+    for (const Json& point : study.at("points"))
       if (std::isfinite(value_of(point)) &&
           (!farthest || std::abs(value_of(point) - value_of(*base)) > std::abs(value_of(*farthest) - value_of(*base))))
         farthest = &point;
@@ -213,6 +219,22 @@ std::string drawn_finding(const Json& study, const StudyColumn& quantity, const 
 std::string counted_points(std::uint64_t count) { return count == 1 ? "1 point" : fmt::format("{} points", count); }
 
 }  // namespace
+
+std::optional<ToldMeans> told_means(const Json& study) {
+  const auto quantity = quantity_told(study);
+  if (!quantity) return std::nullopt;
+  if (study.value("design", Json::object()).value("kind", "grid") != "one_at_a_time") return most_moving(study, *quantity);
+  const std::vector<StudyColumn> settings = settings_of(study);
+  const Json* base = unchanged_point(study, settings);
+  const double from = base ? number_at(*base, quantity->key.c_str()) : NAN;
+  if (!std::isfinite(from)) return std::nullopt;
+  ToldMeans changes{*quantity, StudyColumn{}, {}};
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    for (const Level& level : levels_of(study, i, settings[i], *quantity))
+      changes.levels.push_back({settings[i].words, {}, level.mean - from, level.count});
+  if (changes.levels.size() < 2 || !(extremes_of(changes.levels).spread() > 0)) return std::nullopt;
+  return changes;
+}
 
 std::string study_finding(const Json& study) {
   const std::uint64_t computed = count_in(study.at("points_computed")), failed = count_in(study.at("points_failed"));

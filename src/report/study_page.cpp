@@ -8,10 +8,12 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/study/run_study.hpp"
 #include "input/text_edit.hpp"
+#include "report/finding.hpp"
 #include "report/known_html.hpp"
 #include "report/pages.hpp"
 #include "report/shell.hpp"
 #include "report/study_finding.hpp"
+#include "report/study_picture.hpp"
 #include "report/study_points.hpp"
 #include "report/study_words.hpp"
 #include "study/store.hpp"
@@ -177,7 +179,7 @@ std::string self_contained(const Study& study) {
 
 }  // namespace
 
-Report study_page(const std::filesystem::path& store, const Watch& watch) {
+Report study_page(const std::filesystem::path& store, const Watch& watch, const std::string& gallery) {
   const StudyStoreCheck check = check_study_store(store);
   if (!check.damage.empty()) refuse_file(store, check.damage);
   study::Store points = study::Store::open(store, study::sqlite::Connection::Mode::read);
@@ -186,6 +188,8 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   std::vector<std::string> notes;
   if (!check.note.empty()) notes.push_back(check.note);
   Page page("study", title, std::move(notes));
+  page.group(kStudies);
+  if (!gallery.empty()) page.belongs_to(gallery, "The page to play with runs one scene at a time, and no study.");
   page.finding(escaped(study_finding(study) + "."));
   page.headline(with_powers(escaped(study.value("finding", ""))));
   const std::uint64_t failed = count_in(study.at("points_failed")), computed = count_in(study.at("points_computed")),
@@ -194,7 +198,10 @@ Report study_page(const std::filesystem::path& store, const Watch& watch) {
   add_points(points, page, study, watch);
   const std::string curves = curves_section(study, page);
   page.data()["drawn_above"] = !curves.empty();
-  if (!curves.empty()) page.section("curves", "Curves", curves);
+  if (!curves.empty())
+    page.section("curves", "Curves", curves);
+  else
+    page.small_picture(study_picture(study));
   page.section("explore",
                computed > kMostSinglePoints ? "Where the points lie"
                : curves.empty()             ? "The points"

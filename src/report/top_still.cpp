@@ -37,6 +37,12 @@ class View {
     up_ = {-real::sin(kTurn) * real::sin(kRise), real::cos(kTurn) * real::sin(kRise), real::cos(kRise)};
   }
   PlotPoint at(const Vec& p) const { return {x_ + scale_ * p.dot(right_), y_ - scale_ * p.dot(up_)}; }
+  /// Moves the picture up as far as these points are below a line.
+  void keep_above(double floor, const std::vector<Vec>& points) {
+    double lowest = floor;
+    for (const Vec& point : points) lowest = std::max(lowest, at(point).y);
+    y_ -= lowest - floor;
+  }
 
  private:
   double scale_, x_, y_;
@@ -64,21 +70,30 @@ std::vector<Vec> circle(const Vec& centre, const Vec& axis, double radius) {
   return points;
 }
 
-void label(std::string& out, const View& view, const Vec& place, double dx, double dy, const char* anchor,
+/// Writes a label beside a place, and moved so far that it does not leave the picture.
+void label(std::string& out, const View& view, double width, const Vec& place, double dx, double dy, bool is_left,
            std::string_view text) {
+  constexpr double kCharacter = 7.4, kEdge = 6;  // px
   const PlotPoint at = view.at(place);
-  draw_text(out, at.x + dx, at.y + dy, anchor, " class=\"et-b\" font-weight=\"600\"", text);
+  const double length = kCharacter * static_cast<double>(text.size()), x = at.x + dx;
+  const double kept = is_left ? std::max(x, kEdge + length) : std::min(x, width - kEdge - length);
+  draw_text(out, kept, at.y + dy, is_left ? "end" : "start", " class=\"et-b\" font-weight=\"600\"", text);
 }
 
 std::string drawn(const TopStill& still, double width, double height) {
+  const bool is_narrow = width < 400;
   const double top = 60, factor = magnification(still);
-  const View view(width, height - top, still.hangs ? top + 0.32 * (height - top) : top + 0.7 * (height - top));
+  View view(width, height - top, still.hangs ? top + 0.32 * (height - top) : top + 0.7 * (height - top));
   const Vec reference = vector(still.ref_axis_L), axis = vector(still.axis_L), up(0, 0, 1);
   const Vec turn = reference.cross(axis);
   const double apart = angle_between(reference, axis), shown = std::min(apart * factor, kSeen_rad);
   const Vec across = turn.cross(reference).normalized();  // the null vector stays what it is
   const Vec seen = real::cos(shown) * reference + real::sin(shown) * across;
   const double side = still.hangs ? -1 : 1, length = 1.15;
+  const Vec place = 0.58 * side * seen;
+  std::vector<Vec> drawn_points = circle(place, seen, 0.42);
+  drawn_points.insert(drawn_points.end(), {side * length * seen, side * length * reference});
+  view.keep_above(height - 20, drawn_points);
   const std::string blue = fmt::format("fill=\"none\" stroke=\"{}\"", hex(LineColor::blue)),
                     red = fmt::format("fill=\"none\" stroke=\"{}\"", hex(LineColor::vermillion)),
                     grey = fmt::format("fill=\"none\" stroke=\"{}\"", hex(LineColor::grey));
@@ -92,11 +107,15 @@ std::string drawn(const TopStill& still, double width, double height) {
   const std::string heading =
       fmt::format(" class=\"et-h\" fill=\"{}\" font-size=\"{}\" font-weight=\"600\"", kHeading.light, kTitleSize);
   draw_text(out, 24, 30, "start", heading.c_str(), still.title);
-  draw_text(out, 24, 50, "start", " class=\"et-s\"", still.subtitle);
+  double line_y = 50;
+  for (const std::string& line : lines_of(still.subtitle, is_narrow ? 50 : 100, 2)) {
+    draw_text(out, 24, line_y, "start", " class=\"et-s\"", line);
+    line_y += 16;
+  }
   // The ground, North on it, and Up.
   out += polyline(view, circle({0, 0, 0}, up, 1.25), grey + " stroke-width=\"1\"", true);
   out += polyline(view, {Vec(0, 0, 0), Vec(0, 1.25, 0)}, grey + " stroke-width=\"1\"");
-  label(out, view, Vec(0, 1.25, 0), 4, -4, "start", "North");
+  label(out, view, width, Vec(0, 1.25, 0), 4, -4, false, "North");
   out += polyline(view, {Vec(0, 0, 0), Vec(0, 0, side * 1.25)}, grey + " stroke-width=\"1\" stroke-dasharray=\"2 4\"");
   const double tilt_cos = reference[2];
   if (still.has_cone)
@@ -108,10 +127,11 @@ std::string drawn(const TopStill& still, double width, double height) {
     out += polyline(view, {-0.25 * end, end},
                     fmt::format("fill=\"none\" class=\"et-frame\" stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"8 4\"",
                                 kMuted.light));
-    label(out, view, end, 6, 0, "start", "the Earth's axis");
+    const PlotPoint at = view.at(end), north = view.at(Vec(0, 1.25, 0));
+    const bool is_at_north = std::abs(at.x - north.x) < 60 && std::abs(at.y - north.y) < 16;
+    label(out, view, width, end, 6, is_at_north ? -20 : 0, false, "the Earth's axis");
   }
   // The top: its stem, and its disc, which hides what is behind it.
-  const Vec place = 0.58 * side * seen;
   out += polyline(view, {Vec(0, 0, 0), side * length * reference}, blue + " stroke-width=\"2.5\" stroke-dasharray=\"7 4\"");
   out += polyline(view, {Vec(0, 0, 0), place}, red + " stroke-width=\"3\"");
   out += polyline(view, circle(place, seen, 0.42),
@@ -119,8 +139,8 @@ std::string drawn(const TopStill& still, double width, double height) {
   out += polyline(view, {place, side * length * seen}, red + " stroke-width=\"3\"");
   const PlotPoint at = view.at(side * length * seen), other = view.at(side * length * reference);
   const bool is_left = at.x < other.x;
-  label(out, view, side * length * seen, is_left ? -8 : 8, -4, is_left ? "end" : "start", "its axis");
-  label(out, view, side * length * reference, is_left ? 8 : -8, 14, is_left ? "start" : "end", "without the Earth's rotation");
+  label(out, view, width, side * length * seen, is_left ? -8 : 8, -4, is_left, "its axis");
+  label(out, view, width, side * length * reference, is_left ? 8 : -8, 14, !is_left, "without the Earth's rotation");
   return out + "</svg>\n";
 }
 

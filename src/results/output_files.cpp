@@ -36,7 +36,8 @@ struct KnownContent {
   bool is_known_unmarked = true;  ///< whether one of version 1.0 is known by its head
 };
 constexpr std::string_view kPicture = "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"et\" width=\"";
-constexpr std::array<KnownContent, 10> kKnown = {
+constexpr std::string_view kPage = "<!doctype html>\n<html lang=\"en\">\n<head>\n";
+constexpr std::array<KnownContent, 12> kKnown = {
     {{OutputKind::plan_picture, "earthtop plan --svg", "<!-- ", " -->", kPicture,
       "<title>What a measurement would show</title>"},
      {OutputKind::comparison_picture, "earthtop compare --svg", "<!-- ", " -->", kPicture,
@@ -44,20 +45,21 @@ constexpr std::array<KnownContent, 10> kKnown = {
      {OutputKind::measurement_picture, "earthtop compare --svg", "<!-- ", " -->", kPicture,
       "Measured values with their standard errors, and the model "},
      {OutputKind::page_picture, "earthtop report --svg", "<!-- ", " -->", kPicture},
-     {OutputKind::page, "earthtop report", "<!-- ", " -->", "<!doctype html>\n<html lang=\"en\">\n<head>\n",
-      "id=\"earthtop-data\""},
+     {OutputKind::page, "earthtop report", "<!-- ", " -->", kPage, "id=\"earthtop-data\""},
      {OutputKind::verdicts, "earthtop compare --junit", "<!-- ", " -->",
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"earthtop compare\" "},
      {OutputKind::simulated_data, "earthtop plan --write-data", "# ", "", "# simulated by earthtop plan: ", "", false},
      {OutputKind::scenario, "earthtop", "", "", "", "", false},
      {OutputKind::document, "earthtop", "", "", "", "", false},
-     {OutputKind::manual_page, "earthtop man", ".\\\" ", "", ".TH EARTHTOP"}}};
+     {OutputKind::manual_page, "earthtop man", ".\\\" ", "", ".TH EARTHTOP"},
+     {OutputKind::gallery_page, "earthtop gallery", "<!-- ", " -->", kPage, "id=\"earthtop-data\"", false},
+     {OutputKind::gallery_picture, "earthtop gallery --svg", "<!-- ", " -->", kPicture, "", false}}};
 
 static_assert(
     [] {
       for (std::size_t i = 0; i < kKnown.size(); ++i)
         if (kKnown[i].kind != static_cast<OutputKind>(i)) return false;
-      return kKnown.back().kind == OutputKind::manual_page;  // the last one
+      return kKnown.back().kind == OutputKind::gallery_picture;  // the last one
     }(),
     "each kind has its row, in their order");
 

@@ -92,7 +92,9 @@ def pdf_words(pdf: bytes) -> list[int]:
 def play_page(page: firefox.Page, html: pathlib.Path, program: Program, checks: Checks, out: pathlib.Path | None) -> None:
     page.open(html.as_uri())
     play_test.settled(page)
-    for name in page.evaluate("[...document.querySelector('#preset').options].map(e => e.value)"):
+    for fragment, part in play_test.HOSTILE:
+        play_test.refused(page, fragment, part)
+    for name in play_test.COMPARED:
         play_test.choose(page, name)
         play_test.numbers(page, program.earthtop, f"{name} in Firefox", program.directory / f"play-{name}")
         for width in WIDTHS:

@@ -13,6 +13,7 @@ import hashlib
 import json
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -22,10 +23,17 @@ import devtools
 from browser_process import Tab
 
 SKIPPED = 77
-SIZE_LIMIT = 2_000_000
+SIZE_LIMIT = 3_000_000
 WIDTHS = (390, 820, 1280)
-HOSTILE = ("#top=constructor&latitude=%3Cimg%20src=x%20onerror=window.hacked=1%3E", "#top=__proto__&tilt=NaN",
-           "#top=toy-top&latitude=1e999&spin=-5&%3C/script%3E=1&tilt=")
+HOSTILE = [(f"#{fragment}", part) for fragment, part in json.loads(
+    (pathlib.Path(__file__).resolve().parents[1] / "play/hostile_links.json").read_text())]
+LIMIT_MS = 150.0  # a machine that is shared may be three times as slow as one that is not
+MOVES = 40  # of a slider, timed
+WARM_UP = 5
+FIRST = "toy-top"
+# Scenes of every kind that the program runs in a moment; engine_test.mjs has all of them.
+COMPARED = ("toy-top", "foucault-pendulum", "free-gyro", "gyrocompass-in-gimbals", "dzhanibekov", "rolling-ball", "tippe-top",
+            "rate-gyro-on-turntable", "tumbling-gyrostat")
 PICTURES = ["top", "sphere"]
 
 faults: list[str] = []
@@ -104,7 +112,7 @@ def draws(page: devtools.Page, name: str) -> None:
         }})(document.querySelector('#{canvas}'))""")
         expect(colours > 10, f"{name}: canvas {canvas} has {colours} colours")
     curves = page.evaluate("[...document.querySelectorAll('#drift-chart .wide svg g[clip-path] path')].map(e => e.getAttribute('d'))")
-    expect(len(curves) >= 2 and all("L" in curve for curve in curves), f"{name}: the chart draws {curves}")
+    expect(len(curves) >= 1 and all("L" in curve for curve in curves), f"{name}: the chart draws {curves}")
     expect(not any("NaN" in curve for curve in curves), f"{name}: NaN in the chart")
     drawn = page.evaluate("[...document.querySelectorAll('#drift-chart figcaption, .played')].map(e => e.textContent)")
     expect(len(drawn) == 3 and all("Drawn: the motion" in text or "drawn is its mean" in text for text in drawn),
@@ -114,7 +122,7 @@ def draws(page: devtools.Page, name: str) -> None:
 def bands(page: devtools.Page, reply: Any) -> None:
     """Swings that are too fast for the picture are bands, the legend says so, and the largest angle is the summary's."""
     legend = page.evaluate("[...document.querySelectorAll('#drift-chart .wide svg text')].map(e => e.textContent)")
-    expect("residual (band: least to most)" in legend, f"no band in the legend: {legend}")
+    expect(any("band: least to most" in text for text in legend), f"it is not said that there is a band: {legend}")
     most = page.evaluate("[...document.querySelectorAll('#drift-chart figcaption data')].map(e => Number(e.value))")
     expect(most == [reply["drift"]["axis_max_rad"], reply["drift"]["axis_max_at_s"]], f"at most {most}, not the summary's")
 
@@ -234,7 +242,7 @@ def camera(page: devtools.Page) -> None:
 
 def tumbles(page: devtools.Page) -> None:
     """A body that turns over is drawn as one: along the motion its picture has the two sides of a box, not one shape."""
-    choose(page, "wing-nut")
+    choose(page, "dzhanibekov")
     page.evaluate("document.querySelector('#play').textContent === 'Pause' && document.querySelector('#play').click()")
     areas = page.evaluate("""(async () => { const t = document.querySelector('#time'), c = document.querySelector('#top'), found = [];
         for (let k = 0; k <= 40; ++k) { t.value = Number(t.min) + (k / 40) * (t.max - t.min); t.dispatchEvent(new Event('input'));
@@ -284,6 +292,115 @@ def reduced_motion(browser: devtools.Browser, own: str) -> None:
         page.close()
 
 
+def refused(page: Tab, fragment: str, part: str) -> None:
+    """A hostile link is refused in a sentence, nothing of it runs, and the page goes on with its first scene."""
+    page.evaluate(f"(() => {{ document.querySelector('#link-alert').hidden = true; location.hash = {json.dumps(fragment)};"
+                  "window.dispatchEvent(new Event('hashchange')); })()")
+    page.evaluate("""new Promise(done => { const end = performance.now() + 3000, look = () => !document.querySelector('#link-alert').hidden ||
+        performance.now() > end ? done() : setTimeout(look, 5); look(); })""")
+    said, hidden = page.evaluate("(e => [e.textContent, e.hidden])(document.querySelector('#link-alert'))")
+    expect(not hidden and part in said, f"{fragment}: {hidden}, '{said}'")
+    expect(page.evaluate("window.hacked === undefined && ({}).hacked === undefined && !document.querySelector('img')"), f"{fragment}: foreign text ran")
+    expect(page.evaluate("document.querySelector('#preset').value") == FIRST, f"{fragment}: not the first scene")
+    expect(page.evaluate("document.querySelector('#headline data') !== null"), f"{fragment}: no answer")
+
+
+def links(page: devtools.Page, own: str) -> None:
+    """What the page gives as the link of a scene brings that scene back."""
+    choose(page, "free-gyro")
+    page.evaluate("(s => { s.value = 12.5; s.dispatchEvent(new Event('input')); s.dispatchEvent(new Event('change')); })"
+                  "(document.querySelector('#slider-latitude'))")
+    page.wait(0.5)
+    link, scenario = page.evaluate("[document.querySelector('#link').textContent, document.querySelector('#scenario').textContent]")
+    expect(link == "#top=free-gyro&latitude=12.5", f"the link is {link}")
+    page.open("about:blank")
+    page.open(own + link)
+    settled(page)
+    expect(page.evaluate("document.querySelector('#scenario').textContent") == scenario, "the link brings another scene")
+    expect(page.evaluate("document.querySelector('#link-alert').hidden"), "the page's own link is refused")
+    button = page.evaluate("(e => [e.className, e.textContent])(document.querySelector('#link + button'))")
+    expect(button == ["copy", "Copy the link"], f"no button copies the link: {button}")
+
+
+def sheets(page: devtools.Page, own: str, directory: pathlib.Path) -> None:
+    """Each sheet asks before it tells, and is one printed page."""
+    shown = "s => [...document.querySelectorAll(s)].some(e => e.checkVisibility())"
+    for level in ("school", "undergraduate", "laboratory"):
+        page.open("about:blank")
+        page.open(f"{own}#top=toy-top&latitude=30&sheet={level}")
+        settled(page)
+        expect(page.evaluate(f"({shown})('#section-sheet') && !({shown})('#headline, #results, #sheet .answer')"), f"{level}: the answer is shown first")
+        expect(page.evaluate("document.querySelector('#predict').disabled"), f"{level}: it runs without a prediction")
+        asked = page.pdf()
+        page.evaluate("document.querySelector('#sheet input[type=radio]').click(); document.querySelector('#predict').click()")
+        page.frames(2)
+        expect(page.evaluate(f"({shown})('#headline') && ({shown})('#results') && ({shown})('#sheet .answer')"), f"{level}: no answer")
+        said, number = page.evaluate("[document.querySelector('#sheet .answer').textContent, Number(document.querySelectorAll('#headline data')[1].value)]")
+        plain = said.replace(" × 10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+        told = [float(text) for text in re.findall(r"([0-9.e-]+) rad", plain)]
+        expect(any(abs(one / number - 1) < 1e-3 for one in told), f"{level}: {number} is not in '{said}'")
+        for name, pdf in ((f"sheet-{level}", asked), (f"sheet-{level}-told", page.pdf())):
+            (directory / f"{name}.pdf").write_bytes(pdf)
+            expect(len(re.findall(rb"/Type\s*/Page[^s]", pdf)) == 1, f"{name} is not one printed page")
+        page.evaluate("document.querySelector('#close-sheet').click()")
+        expect(page.evaluate(f"!({shown})('#section-sheet') && ({shown})('#headline')"), f"{level}: the sheet does not close")
+    silence(page, own, "sheets")
+
+
+def phone(browser: devtools.Browser, own: str) -> None:
+    """At a phone's size with a finger: nothing is wider than the screen, a finger moves a slider, opens the sheet and predicts."""
+    page = browser.new_page()
+    page.call("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=2, mobile=True)
+    page.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=2)
+    page.open(own)
+    settled(page)
+    expect(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "wider than a phone")
+
+    def touch(x: float, y: float, to: float | None = None) -> None:
+        page.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        if to is not None:
+            for part in (0.5, 1.0):
+                page.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x + part * (to - x), "y": y}])
+        page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        page.wait(0.4)
+
+    def tap(selector: str) -> None:
+        page.evaluate(f"document.querySelector('{selector}').scrollIntoView({{ block: 'center' }})")
+        page.wait(0.2)
+        touch(*page.middle(f"document.querySelector('{selector}')"))
+
+    before = page.evaluate("document.querySelector('#headline').textContent")
+    page.evaluate("document.querySelector('#slider-latitude').scrollIntoView({ block: 'center' })")
+    page.wait(0.2)
+    x, y = page.middle("document.querySelector('#slider-latitude')")
+    touch(x, y, x + 60)
+    expect(page.evaluate("document.querySelector('#headline').textContent") != before, "a finger on a slider changes nothing")
+    small = page.evaluate("""[...document.querySelectorAll('.play button, .play select, .play input[type=range]')].filter(e => e.checkVisibility())
+        .map(e => [e.id || e.textContent, e.getBoundingClientRect().height]).filter(([, height]) => height < 24)""")
+    expect(not small, f"too low for a finger: {small}")
+    tap("#open-sheet")
+    expect(page.evaluate("document.querySelector('#section-sheet').checkVisibility()"), "a finger does not open the sheet")
+    expect(page.evaluate("document.documentElement.scrollWidth <= innerWidth"), "the sheet is wider than a phone")
+    tap("#sheet .choice")
+    tap("#predict")
+    expect(page.evaluate("document.querySelector('#sheet .answer').checkVisibility()"), "a finger does not predict")
+    silence(page, own, "on a phone")
+    page.close()
+
+
+def moves(page: devtools.Page) -> None:
+    """How long it takes from a slider's move until the picture that it makes has been drawn."""
+    took = page.evaluate(f"""(async () => {{ const list = []; const s = document.querySelector('#slider-latitude');
+        for (let k = 0; k < {WARM_UP + MOVES}; ++k) {{ earthtop.play.took = 0; s.value = 20 + k; const began = performance.now();
+            s.dispatchEvent(new Event('input'));
+            await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+            list.push([performance.now() - began, earthtop.play.took, earthtop.play.computed]); }} return list.slice({WARM_UP}); }})()""", timeout_s=120)
+    picture, work, engine = (statistics.quantiles(column, n=4) for column in zip(*took))
+    print(f"slider to picture, {len(took)} moves: median {picture[1]:.0f} ms, quartiles {picture[0]:.0f} and {picture[2]:.0f} ms, "
+          f"least {min(took)[0]:.0f} and most {max(took)[0]:.0f} ms; of the median, work {work[1]:.0f} ms, of which engine {engine[1]:.0f} ms")
+    expect(picture[1] < LIMIT_MS, f"a median of {picture[1]:.0f} ms from slider to picture")
+
+
 def look(page: devtools.Page, directory: pathlib.Path) -> None:
     for width in WIDTHS:
         for dark in (False, True):
@@ -302,19 +419,19 @@ def look(page: devtools.Page, directory: pathlib.Path) -> None:
 
 def examine(browser: devtools.Browser, page: devtools.Page, html: pathlib.Path, earthtop: pathlib.Path, directory: pathlib.Path) -> None:
     own = html.as_uri()
-    for fragment in HOSTILE:
-        page.open("about:blank")
-        page.open(own + fragment)
-        settled(page)
-        silence(page, own, fragment)
-        expect(page.evaluate("window.hacked === undefined && !document.querySelector('img')"), f"{fragment}: foreign text ran")
-        expect(page.evaluate("document.querySelector('#preset').value") == "toy-top", f"{fragment}: not the first top")
+    page.open("about:blank")
+    page.open(own + HOSTILE[0][0])
+    settled(page)
+    for fragment, part in HOSTILE:
+        refused(page, fragment, part)
+    silence(page, own, "hostile links")
     page.open("about:blank")
     page.open(own)
     settled(page)
     names = page.evaluate("[...document.querySelector('#preset').options].map(e => e.value)")
-    expect(len(names) == 7, f"tops: {names}")
-    for name in names:
+    print(f"{len(names)} scenes")
+    expect(names[0] == FIRST and set(COMPARED) <= set(names), f"scenes: {names}")
+    for name in COMPARED:
         choose(page, name)
         numbers(page, earthtop, name, directory / name)
         draws(page, name)
@@ -330,14 +447,11 @@ def examine(browser: devtools.Browser, page: devtools.Page, html: pathlib.Path, 
     silence(page, own, "used")
     failures(browser, page, own)
     reduced_motion(browser, own)
-    choose(page, "toy-top")
-    took = page.evaluate("""(async () => { const list = []; const s = document.querySelector('#slider-latitude');
-        for (let k = 0; k < 12; ++k) { earthtop.play.took = 0; s.value = 30 + k; const began = performance.now();
-            s.dispatchEvent(new Event('input'));
-            await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
-            list.push([performance.now() - began, earthtop.play.took, earthtop.play.computed]); } return list.slice(4); })()""")
-    best = [min(column) for column in zip(*took)]
-    print(f"slider to the next picture, at best: {best[0]:.0f} ms, of which work {best[1]:.0f} ms, engine {best[2]:.0f} ms")
+    links(page, own)
+    sheets(page, own, directory)
+    phone(browser, own)
+    choose(page, FIRST)
+    moves(page)
 
 
 def main() -> int:

@@ -135,6 +135,7 @@ def main_cases():
         ("plan: design", ["plan", rows, "--measure", "tilt_deg", "--sigma", "0.01", "--every", "0.1", "--optimise",
                           "/release/tilt_deg=5:60", "--optimise", "/release/spin_rad_s=100:400"], (0.5,)),
         ("report", ["report", "rows", "--out", "page.html"], (0.1,)),
+        ("gallery", ["gallery", "pages"], (0.5,)),
         ("check: 16 MiB", ["check", "large.json"], (0.05,)),
     ]
 

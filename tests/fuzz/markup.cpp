@@ -31,6 +31,14 @@ bool is_one_of(std::string_view name, std::string_view names) {
   return !name.empty() && name.find(' ') == name.npos && names.find(" " + std::string(name) + " ") != names.npos;
 }
 
+/// "toy-top.html": a page of the same gallery.
+bool is_page_beside(std::string_view link) {
+  constexpr std::string_view kEnd = ".html";
+  if (!link.ends_with(kEnd)) return false;
+  link.remove_suffix(kEnd.size());
+  return link.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == link.npos;
+}
+
 class MarkupReader {
  public:
   explicit MarkupReader(std::string_view text) : whole_(text), rest_(text) {}
@@ -110,7 +118,9 @@ class MarkupReader {
     }
     const std::string_view value = whole_.substr(before, whole_.size() - rest_.size() - before);
     take(1);
-    if (name == "href") expect(value.starts_with('#') || value == "data:,", "a link stays within the page");
+    if (name == "href")
+      expect(value.starts_with('#') || value == "data:," || is_page_beside(value),
+             "a link stays within the page or its gallery");
     if (name == "type") type = value;
   }
 

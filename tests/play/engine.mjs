@@ -4,12 +4,13 @@ import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { resolve } from "node:path";
 
-/** Starts the engine that tools/play/build.sh made in a directory. @returns {run: (scenario text) => answer, version} */
+/** Starts the engine that tools/play/build.sh made in a directory. @returns {text: (scenario text) => answer's text, run: the same read,
+ *  refusal: (scenario text) => the error that says why it does not run it, or null, version} */
 export async function startEngine(directory) {
   const make = createRequire(import.meta.url)(resolve(directory, "engine.js"));
   const engine = await make({ wasmBinary: readFileSync(resolve(directory, "engine.wasm")) });
-  const run = engine.cwrap("earthtop_run", "string", ["string"]);
-  return { text: run, run: (scenario) => JSON.parse(run(scenario)), version: engine.cwrap("earthtop_version", "string", [])() };
+  const run = engine.cwrap("earthtop_run", "string", ["string"]), refusal = engine.cwrap("earthtop_refusal", "string", ["string"]);
+  return { text: run, run: (scenario) => JSON.parse(run(scenario)), refusal: (scenario) => JSON.parse(refusal(scenario) || "null"), version: engine.cwrap("earthtop_version", "string", [])() };
 }
 
 /** Seconds of processor time that a function takes, and what it returns. */

@@ -16,12 +16,8 @@ const settings = JSON.parse(readFileSync(resolve(scenarios, "../tools/play/page/
 
 const scenario = JSON.parse(readFileSync(option("--scenario") ?? resolve(scenarios, "toy-top.json"), "utf8"));
 const preset = structuredClone(scenario);
-for (const [pointer, value] of Object.entries(settings.presets["toy-top"].set ?? {})) {
-  const path = pointer.slice(1).split("/"), last = path.pop();
-  path.reduce((node, key) => (node[key] ??= {}), preset)[last] = value;
-}
-
-preset.motion.output_step_s = preset.motion.duration_s / settings.presets["toy-top"].rows;
+preset.motion.output_step_s = preset.motion.duration_s / settings.scenes["toy-top"].rows;
+preset.numerics = { relative_tolerance: settings.scenes["toy-top"].tolerance };
 
 const engine = await startEngine(directory);
 const times = { "as shipped": [], "as the page asks": [] };

@@ -15,6 +15,8 @@ import { startEngine } from "./engine.mjs";
 
 /** Methods whose last digits may be others, since they are set up in another extended precision; they must agree within both bounds. */
 const kOtherDigits = ["closed_form", "long_horizon"];
+/** A method that the engine does not have: it takes another one, within the bounds of both. */
+const kLeftOut = "fourier";
 const kTakesMinutes = ["h21-thirty-days"];
 
 const kScenarios = resolve(dirname(fileURLToPath(import.meta.url)), "../../scenarios");
@@ -70,6 +72,10 @@ function compare(name, ours, theirs) {
   if (ours.error) return expect(false, `${name}: the engine refuses it: ${ours.error.message}; ${ours.error.remedy}`);
   const columns = otherColumns(ours.columns, theirs.columns), figures = kFigures.filter((p) => at(ours.summary, p) !== at(theirs.summary, p));
   const method = theirs.summary.solution.method;
+  if ([method, theirs.summary.certificate.method].includes(kLeftOut)) {
+    otherDigits.push(name);
+    return expect(withinBounds(ours, theirs), `${name}: apart by more than both bounds`);
+  }
   expect(ours.summary.solution.method === method, `${name}: solved by ${ours.summary.solution.method}, by the program by ${method}`);
   if (!columns.length && !figures.length) return expect(true);
   otherDigits.push(name);
@@ -91,6 +97,7 @@ function refusals(program, engine) {
     "a number without end": changed((s) => { s.site.latitude_deg = 1; }).replace("\"latitude_deg\":1", "\"latitude_deg\":1e999"),
   };
   const before = engine.text(toyTop);
+  expect(engine.refusal(toyTop) === null, "asked beforehand, the engine refuses the toy top");
   for (const [what, text] of Object.entries(texts)) {
     const answer = engine.run(text);
     expect(answer.error && !answer.summary, `${what}: is not refused`);
@@ -103,10 +110,13 @@ function refusals(program, engine) {
     "113 bits": [changed((s) => { s.numerics = { precision: "float128" }; }), "double alone"],
     "a million rows": [changed((s) => { s.motion = { duration_s: 60, output_step_s: 6e-5 }; }), "rows"],
     "a year": [changed((s) => { s.motion = { duration_s: 3e7, output_step_s: 1e6 }; s.numerics = { method: "dopri5", relative_tolerance: 1e-12 }; }), "shorter duration"],
+    "a date": [changed((s) => { s.motion.start_utc = "2026-11-22T12:00:00Z"; }), "no places of the Sun and the Moon"],
+    "chosen effects": [changed((s) => { s.effects = "auto"; s.accuracy = { drift_rad: 1e-7 }; }), "no places of the Sun and the Moon"],
     "a NUL": ["{\"a\u0000\": 1}", "closing quote"], // ends the text for the engine
   };
   for (const [what, [text, part]] of Object.entries(limits)) {
-    const { error } = engine.run(text);
+    const { error } = engine.run(text), asked = engine.refusal(text);
+    expect(JSON.stringify(asked?.error) === JSON.stringify(error), `${what}: asked beforehand, the engine says ${JSON.stringify(asked)}`);
     expect(error && `${error.message}; ${error.remedy}`.includes(part), `${what}: ${JSON.stringify(error)}`);
   }
   expect(engine.text(toyTop) === before || differsInSecondsOnly(before, engine.text(toyTop)), "after refusals the engine gives other digits");
@@ -143,7 +153,7 @@ function pictures(engine) {
     expect(JSON.stringify(dense[part]) === JSON.stringify(sparse[part]), `rows every 0.1 s and every 2 s give another ${part}`);
   for (const figure of ["/drift/axis_max_rad", "/drift/axis_max_at_s"])
     expect(at(dense.summary, figure) === at(sparse.summary, figure), `rows every 0.1 s and every 2 s give another ${figure}`);
-  expect(sparse.chart.wide.includes("residual (band: least to most)"), "the legend does not say that the residual is drawn as a band");
+  expect(/Azimuth minus its secular line \([^)]*band: least to most\)/.test(sparse.chart.wide), "it is not said that the residual is drawn as a band");
   const kFrom = 41, kUntil = 45, kArcseconds = (180 * 3600) / Math.PI, rate = at(fine.summary, "/drift/secular/azimuth_rate_rad_s");
   const inside = (t_s) => t_s >= kFrom && t_s <= kUntil;
   const residual = fine.columns.t_s.map((t_s, i) => [t_s, (fine.columns.drift_azimuth_rad[i] - rate * t_s) * kArcseconds]);

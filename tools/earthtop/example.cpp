@@ -21,8 +21,6 @@ struct ExampleArguments {
   bool list = false;
 };
 
-ScenarioSource source_of(const Example& example) { return {std::string(example.name) + ".json", std::string(example.text)}; }
-
 int example_verb(const ExampleArguments& arguments) {
   if (arguments.list) {
     std::string list;

@@ -16,5 +16,7 @@ struct Example {
 std::span<const Example> examples();
 /// The scenarios of scenarios/hard/, which state criteria.
 std::span<const Example> hard_cases();
+/// The studies of scenarios/studies/. Their bases are files of the two above, or are in them.
+std::span<const Example> shipped_studies();
 
 }  // namespace earthtop::tool

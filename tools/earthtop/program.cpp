@@ -60,7 +60,7 @@ std::unique_ptr<const Verb> describe_program() {
   for (const StatusMeaning& status : kExitStatuses) program->ends_with(status.status, status.meaning);
   add_group(*program, "Write a scenario", {describe_example(), describe_check(), describe_schema()});
   add_group(*program, "Predict a motion and its drift",
-            {describe_run(), describe_explain(), describe_study(), describe_report()});
+            {describe_run(), describe_explain(), describe_study(), describe_report(), describe_gallery()});
   add_group(*program, "Measure, and compare results", {describe_plan(), describe_compare()});
   add_group(*program, "Judge the program", {describe_verify(), describe_bench()});
   std::vector<std::string> names = names_of(program->verbs);

@@ -52,12 +52,15 @@ const Example& find_example(std::string_view name) {
   throw ScenarioError("", fmt::format("there is no example \"{}\"; {}", name, remedy));
 }
 
+ScenarioSource source_of(const Example& example) {
+  return {std::string(example.name) + std::string(kExtension), std::string(example.text)};
+}
+
 ScenarioSource scenario_of(const std::string& operand) {
   const bool is_path = operand.find('/') != std::string::npos;
   std::error_code error;
   if (operand == "-" || is_path || std::filesystem::is_regular_file(operand, error)) return read_scenario_source(operand);
-  if (const Example* known = example_called(operand))
-    return {std::string(known->name) + std::string(kExtension), std::string(known->text)};
+  if (const Example* known = example_called(operand)) return source_of(*known);
   if (std::filesystem::symlink_status(operand, error).type() != std::filesystem::file_type::not_found)
     return read_scenario_source(operand);
   std::string_view name = operand;

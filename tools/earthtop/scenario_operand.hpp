@@ -23,6 +23,9 @@ std::vector<std::string> example_names();
 /// @throws ScenarioError where no such scenario comes with the program; it says which are meant, or all there are
 const Example& find_example(std::string_view name);
 
+/// A scenario or a study that comes with the program, as if it had been read from its file.
+ScenarioSource source_of(const Example& example);
+
 /// Reads a scenario file, or standard input for "-". A name that is no file may be that of a scenario which comes with the program.
 /// @throws as read_scenario_source
 ScenarioSource scenario_of(const std::string& operand);

@@ -19,6 +19,7 @@ Verb describe_study();
 Verb describe_compare();
 Verb describe_plan();
 Verb describe_report();
+Verb describe_gallery();
 Verb describe_schema();
 Verb describe_example();
 /// @param program will have all verbs; must outlive the returned verb   @param names names of all verbs

@@ -22,7 +22,9 @@ enum class OutputKind {
   simulated_data,
   scenario,
   document,
-  manual_page
+  manual_page,
+  gallery_page,
+  gallery_picture
 };
 
 struct OutputFile {

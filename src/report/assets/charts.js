@@ -1,5 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows the values under the pointer on the static charts.
+// Shows the values under the pointer on the static charts. It is the first part of every page's script.
+
+/** What the parts of the script do with the page's data, once all of them are there. */
+const kStarts = [(data) => startCharts(data.charts ?? {})];
+
+/** The dashes of each colour, so that it can be told apart in grey. */
+const kDashes = {
+  axis: [], ref: [7, 4], gravity: [], coriolis: [11, 4], transverse: [2, 4], centrifugal: [11, 4, 2, 4], earth: [6, 6],
+  precession: [2, 6],
+};
 
 function startCharts(charts) {
   for (const figure of document.querySelectorAll("figure.chart")) {

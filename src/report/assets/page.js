@@ -128,7 +128,9 @@ function startFolds() {
     for (let at = target?.closest("details"); at; at = at.parentElement?.closest("details")) at.open = true;
   };
   const follow = () => {
-    const target = byId(decodeURIComponent(window.location.hash.slice(1)));
+    let id = "";
+    try { id = decodeURIComponent(window.location.hash.slice(1)); } catch { /* no id of this page */ }
+    const target = byId(id);
     if (!target) return;
     openTo(target);
     target.scrollIntoView();
@@ -146,14 +148,11 @@ function startFolds() {
 }
 
 document.documentElement.classList.add("js");
-window.earthtop = { view: kView, frames: 0, fps: 0 };
+window.earthtop = { frames: 0, fps: 0 };
 startTheme();
 for (const button of document.querySelectorAll("button.copy")) makeCopying(button);
 // All digits of a number on demand, and what is copied has them with an exponent that programs read.
 for (const number of document.querySelectorAll("data")) number.title ||= number.value;
 const kData = unpacked(JSON.parse(byId("earthtop-data")?.textContent || "{}"));
-startCharts(kData.charts ?? {});
-if (kData.kind === "study") startStudy(kData);
-startSphere(kData);
-startTop(kData);
+for (const start of kStarts) start(kData);
 startFolds();

@@ -98,6 +98,8 @@ function paintInset(pen, width, frame) {
   spot(pen, put(frame.centre), Math.max(4, radius * frame.radius), kPalette.axis, 2);
 }
 
+kStarts.push(startSphere);
+
 function startSphere(data) {
   const canvas = byId("sphere");
   if (!canvas) return;

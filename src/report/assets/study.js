@@ -400,6 +400,8 @@ function nearestPlace(places, [x, y]) {
   return nearest(places, (k) => Math.hypot(places[k][0] - x, places[k][1] - y), 0);
 }
 
+kStarts.push(startStudy);
+
 function startStudy(data) {
   const room = byId("explorer");
   if (!room || !data.axes?.length || !data.quantities?.length) return;

@@ -194,6 +194,8 @@ function motionText(motion, speed, slowed) {
   return parts.join(" ");
 }
 
+kStarts.push(startTop);
+
 function startTop(data) {
   const canvas = byId("top");
   if (!canvas) return;

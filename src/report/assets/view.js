@@ -8,6 +8,7 @@ const kHome = { azimuth_deg: -25, elevation_deg: 25, zoom: 1, whole: false };
  *  `zoom` enlarges the sphere's frame, which is the path of the axis or, with `whole`, the sphere. */
 const kView = { ...kHome };
 const kViewers = [];
+kStarts.push(() => { window.earthtop.view = kView; });
 
 /** What both canvases show. The time: null (without an animation) stands for the last row. The magnification of the drift:
  *  `chosen` by the reader, or else the one that suits the data. `shows` are given new data, `followers` a new time. */
@@ -16,11 +17,6 @@ const kScene = { time: null, playing: false, chosen: null, suits: 1, shows: [], 
 /** The magnifications to choose from; the one that suits a smaller drift may be larger. */
 const kMagnifications = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000];
 const kShownDrift = 0.3;  // size (rad) to which the largest drift is magnified unless another magnification is chosen
-
-const kDashes = {
-  axis: [], ref: [7, 4], gravity: [], coriolis: [11, 4], transverse: [2, 4], centrifugal: [11, 4, 2, 4], earth: [6, 6],
-  precession: [2, 6],
-};
 
 function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 function cross(a, b) { return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]; }

@@ -13,15 +13,12 @@
 #include "earthtop/results/provenance.hpp"
 #include "earthtop/results/results.hpp"
 #include "earthtop/run.hpp"
-#include "left_out.hpp"
 #include "pictures.hpp"
+#include "run/playable.hpp"
 #include "text/json.hpp"
 
 namespace earthtop::play {
 namespace {
-
-constexpr double kLongestRun_s = 10;  ///< by the library's own estimate, for one core of the program
-constexpr double kMostRows = 2e5;     ///< a page has no use for more, and some hundred bytes of memory for each number
 
 std::string json_string(std::string_view text) { return written_replacing(nlohmann::ordered_json(std::string(text))); }
 
@@ -70,23 +67,10 @@ std::string columns_json(std::string_view csv) {
   return json + "}";
 }
 
-/// Why the page does not run this scene; empty if it does.
-std::string refusal(const Scene& scene) {
-  if (const double seconds = estimated_run_seconds(scene); seconds > kLongestRun_s)
-    return fmt::format("this run would take {} even outside of a page; shorten it, or run it with the program, earthtop run",
-                       about_seconds(seconds));
-  if (scene.rows() > kMostRows)
-    return fmt::format(
-        "this run has {:.0f} rows, and the page takes {:.0f}; lengthen /output/step_s, or run it with the program, earthtop "
-        "run",
-        scene.rows(), kMostRows);
-  return "";
-}
-
 std::string run_json(std::string_view scenario) {
   const ScenarioReport report = examine_scenario({"scenario", std::string(scenario), false});
   if (!report.scene) return errors_json(report.errors);
-  if (std::string reason = refusal(*report.scene); !reason.empty()) return errors_json(std::move(reason));
+  if (std::string reason = unplayable(*report.scene); !reason.empty()) return errors_json(std::move(reason));
   const RunResult result = run(*report.scene);
   std::string summary = summary_json(result);
   while (!summary.empty() && summary.back() == '\n') summary.pop_back();
@@ -94,6 +78,14 @@ std::string run_json(std::string_view scenario) {
   for (const Diagnostic& warning : report.warnings) warnings += (warnings.empty() ? "" : ",") + error_json(warning);
   return fmt::format(R"({{"summary":{},"columns":{},{},"warnings":[{}]}})", summary, columns_json(trajectory_csv(result)),
                      pictures_json(result, summary), warnings);
+}
+
+/// Why the page does not run a scenario, as an error; empty if it does.
+std::string refusal_json(std::string_view scenario) {
+  const ScenarioReport report = examine_scenario({"scenario", std::string(scenario), false});
+  if (!report.scene) return errors_json(report.errors);
+  std::string reason = unplayable(*report.scene);
+  return reason.empty() ? "" : errors_json(std::move(reason));
 }
 
 /// The answer to what the page asks for, or the error that came of it.
@@ -124,6 +116,11 @@ extern "C" {
 /// {"error": ..., "errors": [...]}; valid until the next call
 EMSCRIPTEN_KEEPALIVE const char* earthtop_run(const char* scenario_json) {
   return earthtop::play::kept([&] { return earthtop::play::run_json(scenario_json); });
+}
+
+/// @returns nothing if the page runs a scenario, else {"error": ..., "errors": [...]}; valid until the next call
+EMSCRIPTEN_KEEPALIVE const char* earthtop_refusal(const char* scenario_json) {
+  return earthtop::play::kept([&] { return earthtop::play::refusal_json(scenario_json); });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* earthtop_version() {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the engine leaves out, in place of the core's own source: the places of the Sun and the Moon, since ERFA is a compiled library.
-#include "left_out.hpp"
-
 #include "earthtop/error.hpp"
 #include "frames/ephemeris.hpp"
+#include "run/playable.hpp"
 
 namespace earthtop {
 namespace {
 
 [[noreturn]] void refuse_date() {
-  throw ScenarioError("/start_utc", std::string(play::kDate) + "; run it with the program, earthtop run");
+  throw ScenarioError("/motion/start_utc", std::string(kNoSunOrMoon) + "; run it with the program, earthtop run");
 }
 
 }  // namespace

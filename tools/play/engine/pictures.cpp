@@ -58,7 +58,8 @@ std::string pictures_json(const RunResult& result, std::string_view summary) {
   const Run run = run_of(result, summary);
   Json motion = Json::object();
   report::add_motion(run, motion);
-  Figure figure = report::drift_chart(run, run.drawn);
+  const DriftCurves curves = report::drift_curves(run, run.drawn);
+  Figure figure = drift_figure(curves, curves);
   figure.id = "drift";
   Json chart = {{"wide", drawing(figure, PlotWidth::wide)}};
   figure.id = "drift-narrow";

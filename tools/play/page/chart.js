@@ -13,13 +13,14 @@ function angleUnit(largest_rad) {
   return largest_rad < 0.02 ? { name: "arcseconds", per_rad: 3600 / kRadian } : { name: "degrees", per_rad: 1 / kRadian };
 }
 
-/** The engine's drawings, for a desk and for a phone; the page's style shows one of them. */
-function drawings(chart) {
-  return ["wide", "narrow"].map((width) => {
-    const box = element("div", width);
-    box.append(document.importNode(new DOMParser().parseFromString(chart[width], "image/svg+xml").documentElement, true));
-    return box;
-  });
+/** Whether the page's style shows the drawings for a phone. */
+const kNarrow = window.matchMedia("screen and (max-width: 49.99rem)");
+
+/** The engine's drawing for the screen as it is: a desk's, or a phone's. */
+function drawing(chart) {
+  const width = kNarrow.matches ? "narrow" : "wide", box = element("div", width);
+  box.append(document.importNode(new DOMParser().parseFromString(chart[width], "image/svg+xml").documentElement, true));
+  return box;
 }
 
 /** The chart's figure: pictures, caption, and a table of output rows that is filled while it is open. */
@@ -44,9 +45,13 @@ function makeDriftChart(figure) {
     table.replaceChildren(head, body);
   };
   details.addEventListener("toggle", fill);
+  let drawn = null;
+  const draw = () => { if (drawn) pictures.replaceChildren(drawing(drawn)); };
+  kNarrow.addEventListener("change", draw);
   return ({ summary, chart, columns: given }) => {
     const { axis_max_rad: most, axis_max_at_s: at_s } = summary.drift;
-    pictures.replaceChildren(...drawings(chart));
+    drawn = chart;
+    draw();
     caption.replaceChildren(chart.words);
     if (isNumber(most) && isNumber(at_s))
       caption.append(" The angle is at most ", ...numberElement(most, "rad", 10), ` (${angleText(most / kRadian)}), at `, ...numberElement(at_s, "s", 6), ".");

@@ -1,68 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page to play with: sliders make a scenario, the engine runs it, the answer and the pictures follow.
 
-const kSettings = JSON.parse(byId("play-settings").textContent);
 const kSlow = 120;  // milliseconds that a run may take to be made again while a slider moves
 
-const kState = { preset: "", values: {}, engine: null, took: 0, asked: false, started: false, summary: null };
+const kState = { preset: "", values: {}, level: "", engine: null, took: 0, asked: false, started: false, summary: null };
 window.earthtop.play = kState;
 
 function presetNow() { return kSettings.presets[kState.preset]; }
 
-function readPointer(document, pointer) {
-  return pointer.slice(1).split("/").reduce((part, key) => part?.[key], document);
-}
-
-function writePointer(document, pointer, value) {
-  const path = pointer.slice(1).split("/"), last = path.pop();
-  let part = document;
-  for (const key of path) part = part[key] ??= {};
-  part[last] = value;
-}
-
-/** The sliders of a preset: the table's rows with the preset's changes, and the value at which each begins. */
-function rowsOf(preset) {
-  return Object.entries(preset.sliders).map(([id, changes]) => {
-    const row = { id, ...kSettings.sliders[id], ...changes };
-    row.initial = row.rate ? 1 : readPointer(preset.scenario, row.pointers[0]) ?? 0;
-    if (row.around) {
-      row.log = row.initial > 0 && row.min === undefined;
-      const [low, high] = [row.initial / row.around, row.initial * row.around].sort((a, b) => a - b);
-      row.min ??= low;
-      row.max ??= high;
-      row.step ??= (row.max - row.min) / 400;
-    }
-    return row;
-  });
-}
-
-/** Slider positions: 0 to 1000 on a logarithmic scale, the value itself on a linear one. */
-function positionOf(row, value) {
-  return row.log ? (1000 * Math.log(value / row.min)) / Math.log(row.max / row.min) : value;
-}
-
-function valueAtPosition(row, position) {
-  const value = row.log ? row.min * (row.max / row.min) ** (position / 1000) : position;
-  return clamp(Number(value.toPrecision(row.log ? 3 : 6)), row.min, row.max);
-}
-
-/** The scenario of the settings; a value that stands as in the preset leaves the preset's own digits. */
-function scenarioNow() {
-  const preset = presetNow(), scenario = structuredClone(preset.scenario);
-  for (const row of rowsOf(preset)) {
-    const value = kState.values[row.id];
-    if (row.rate) {
-      if (value !== 1) writePointer(scenario, row.pointers[0], value * kSettings.earth_rate_rad_s);
-    } else if (value !== row.initial) for (const pointer of row.pointers) writePointer(scenario, pointer, value);
-  }
-  scenario.motion.output_step_s = scenario.motion.duration_s / preset.rows;
-  return scenario;
-}
-
-/** Indented, with lists of numbers in one line. */
-function scenarioText(scenario) {
-  return JSON.stringify(scenario, null, 2).replace(/\[\s+([^[\]{}"]*?)\s+\]/g, (_, list) => `[${list.replace(/\s+/g, " ")}]`);
-}
+/** The scenario of the settings. */
+function scenarioNow() { return scenarioOf(presetNow(), kState.values); }
 
 // --- the answer
 
@@ -91,7 +38,7 @@ function tellAnswer(summary, columns) {
     verdict.append(` From ${format(from_s)} s ${isNumber(until_s) ? `to ${format(until_s)} s` : "on"}, the drift cannot be trusted: ${text}.`);
   if (summary.outcome.status !== "completed")
     verdict.append(` The run stopped: ${summary.outcome.status}, at ${format(summary.outcome.reached_s)} s.`);
-  byId("why").replaceChildren(...(summary.why ?? []).map(({ text }) => element("li", "", text)));
+  byId("why").replaceChildren(...(summary.why ?? []).map(({ text }) => element("li", "", withPowers(text))));
 }
 
 function tellEarth(factor) {
@@ -126,6 +73,7 @@ function showResult(result, isNew) {
   const data = motionData(result, isNew);
   for (const show of kScene.shows) show(data);
   for (const words of document.querySelectorAll(".played")) words.textContent = result.motion.words;
+  tellSheet();
   if (kState.started) return;
   kState.started = true;
   if (!window.matchMedia("(prefers-reduced-motion: reduce)").matches) byId("play").click();
@@ -190,7 +138,7 @@ function makeSlider(row) {
     ask(false);
   });
   slider.addEventListener("change", () => {
-    writeFragment();
+    writeLink();
     if (kState.took > kSlow) ask(true);
   });
   tell();
@@ -207,25 +155,31 @@ function choose(name, values = {}) {
   byId("sliders").replaceChildren(...rows.map(makeSlider));
   kState.took = 0;
   kScene.chosen = null;
+  tellLink();
   run(true);
 }
 
-/** The settings as a link. A page on disk may not be allowed to change its address, and does without. */
-function writeFragment() {
-  const changed = rowsOf(presetNow()).filter((row) => kState.values[row.id] !== row.initial);
-  const text = [["top", kState.preset], ...changed.map((row) => [row.id, kState.values[row.id]])].map((pair) => pair.join("=")).join("&");
-  try { history.replaceState(null, "", `#${text}`); } catch { /* the page works without */ }
+/** Tells the link to the scene. @returns its fragment */
+function tellLink() {
+  const fragment = `#${linkText(kState.preset, kState.values, kState.level)}`;
+  byId("link").textContent = location.protocol === "file:" ? fragment : location.href.split("#")[0] + fragment;
+  return fragment;
 }
 
-/** Reads a link's settings: only known tops and sliders, only numbers in the slider's range. */
-function readFragment() {
-  const given = new URLSearchParams(location.hash.slice(1)), name = given.get("top") ?? "";
-  const preset = Object.hasOwn(kSettings.presets, name) ? name : Object.keys(kSettings.presets)[0], values = {};
-  for (const row of rowsOf(kSettings.presets[preset])) {
-    const text = given.get(row.id), value = Number(text);
-    if (text && isNumber(value)) values[row.id] = clamp(value, row.min, row.max);
-  }
-  choose(preset, values);
+/** The scene as the page's address. A page on disk may not be allowed to change it, and does without. */
+function writeLink() {
+  const fragment = tellLink();
+  try { history.replaceState(null, "", fragment); } catch { /* the page works without */ }
+}
+
+/** Shows the scene of the address, or the first one where the address is refused. */
+function followLink() {
+  const { name, values, level, refusal } = readLink(location.hash.slice(1), Object.keys(kLevels)), alert = byId("link-alert");
+  alert.hidden = !refusal;
+  alert.textContent = refusal ? `The link was not followed: ${refusal}. This is the page's first scene instead.` : "";
+  kState.level = level ?? "";
+  choose(name ?? Object.keys(kSettings.presets)[0], values);
+  showSheet();
 }
 
 async function startEngine() {
@@ -238,11 +192,12 @@ async function startEngine() {
 function startPlay() {
   const select = byId("preset");
   select.append(...Object.entries(kSettings.presets).map(([name, { label }]) => new Option(label, name)));
-  select.addEventListener("change", () => { choose(select.value); writeFragment(); });
-  byId("reset").addEventListener("click", () => { choose(kState.preset); writeFragment(); });
-  window.addEventListener("hashchange", readFragment);
+  select.addEventListener("change", () => { byId("link-alert").hidden = true; choose(select.value); writeLink(); });
+  byId("reset").addEventListener("click", () => { choose(kState.preset); writeLink(); });
+  window.addEventListener("hashchange", followLink);
+  startSheet();
   kState.chart = makeDriftChart(byId("drift-chart"));
-  startEngine().then(readFragment, (error) => {
+  startEngine().then(followLink, (error) => {
     byId("headline").textContent = "The engine did not start.";
     tellError({ message: String(error?.message ?? error), place: "", remedy: "This page needs WebAssembly and DecompressionStream, which browsers have since 2023" });
   });

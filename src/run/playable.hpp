@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which scenes the page to play with (tools/play) runs: its engine asks here, and so does the gallery.
+#pragma once
+
+#include <string>
+
+#include "earthtop/scene/scene.hpp"
+
+namespace earthtop {
+
+/// Of a page that has no places of the Sun and the Moon, which a date, a tide and chosen effects need.
+inline constexpr const char* kNoSunOrMoon = "a page has no places of the Sun and the Moon";
+
+/// Why the page does not run a scene: what is in the way and, after a semicolon, the remedy. Empty if it does.
+std::string unplayable(const Scene& scene);
+
+}  // namespace earthtop
