@@ -120,6 +120,11 @@ void nudge(DriftProblem<T>& problem, T units, Nudged nudged) {
       model.I_BP_B_inverse(i, j) *= stretch[i] * stretch[j];
       model.I_BP_B(i, j) /= stretch[i] * stretch[j];
     }
+  // What acts as gravity does, whatever the rates: numbers that are 0 stay so.
+  GivenTorque<T>& given = model.applied.given;
+  given.x *= T(1) + kUnit, given.y *= T(1) - kUnit, given.z *= T(1) + kUnit / T(2);
+  SupportStiffness<T>& support = model.applied.support;
+  support.east *= T(1) - kUnit, support.east_north *= T(1) - kUnit, support.north *= T(1) - kUnit;
   if (model.kind == SceneKind::suspension) nudge_gimbals(model.gimbals, kUnit);
   if (problem.table) {
     nudge_contact(problem.table->contact, kUnit);

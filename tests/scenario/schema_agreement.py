@@ -33,6 +33,7 @@ TORQUES = PLACES.replace(b"_m", b"_N_m")  # torques.csv, too
 RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
+SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01}
 RING = {"mass_kg": 0.15, "inertia": {"principal_kg_m2": [4e-4, 4e-4, 3e-4]}}
 IN_GIMBALS = {"outer_angle_deg": 20, "inner_angle_deg": 60}
 ROTOR = {"mass_kg": 0.05, "axial_kg_m2": 1.6e-5, "transverse_kg_m2": 8.5e-6}
@@ -197,7 +198,6 @@ WHOLE = [
     scene(platform={"motion": "table", "file": "angles.csv", "file_sha256": hashlib.sha256(ANGLES).hexdigest()}),
 ]
 
-SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01}
 
 # Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
 BEYOND_THE_SCHEMA = [
@@ -276,7 +276,7 @@ BEYOND_THE_SCHEMA = [
     ({"platform": {"motion": "table", "file": "angles.csv"}, "motion": {"duration_s": 2.5}}, "it must reach the duration"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
     ({"contact": SLIDING, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "is not available with /contact"),
-    ({"contact": SLIDING, "effects": {"viscous_torque_N_m_s": 1e-7}}, "is not available with /contact"),
+    ({"contact": SLIDING, "effects": {"coulomb_torque_N_m": 1e-7}}, "is not available with /contact"),
     ({"contact": SLIDING, "numerics": {"observer": "body"}}, "with /contact"),
     ({"contact": SLIDING, "numerics": {"method": "splitting"}}, "not available for a top on a table"),
     ({"contact": SLIDING, "numerics": {"method": "dop853"}}, "not built for a top on a table"),
