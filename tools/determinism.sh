@@ -66,6 +66,9 @@ quadratic /effects/quadratic_torque_N_m_s2=1e-8
 dry-friction /effects/coulomb_torque_N_m=1e-5
 disc-laminar /effects/air_drag={"disc_radius_m":0.05,"flow":"laminar"}
 disc-turbulent /effects/air_drag={"disc_radius_m":0.05,"flow":"turbulent"}
+viscous-by-axis /effects/viscous_torque_N_m_s=[2e-6,1e-6,4e-6]
+unequal-support /effects/unequal_support={"kappa_N_m":0.01,"azimuth_deg":35}
+given-torque /effects/given_torque={"axes":"laboratory","course":"harmonic","torque_N_m":[1e-3,-1e-3,5e-4],"frequency_hz":0.8}
 gradient /effects/gravity_gradient=true
 gradient-normal /effects/gravity_gradient="normal" /site/height_m=1234.5
 gradient-given /effects/gravity_gradient={"gm_over_r3_s2":1e-3}
@@ -95,6 +98,7 @@ SETTINGS
   echo "contact-contensou $base"
   echo "contact-frictionless $base $contact\"frictionless\"}"
   echo "contact-viscous $base $contact\"viscous\",\"sliding_viscosity_N_s_m\":0.05}"
+  echo "contact-in-air $base" '/effects/viscous_torque_N_m_s=[2e-6,2e-6,1e-6]' '/effects/air_force={"linear_N_s_m":0.01,"quadratic_N_s2_m2":0.05}'
   echo "contact-viscous_load $base $contact\"viscous_load\",\"sliding_viscosity_s_m\":0.3}"
   echo "contact-coulomb $base $contact\"coulomb\",\"friction_coefficient\":0.2}"
   echo "contact-coulomb-regular $base $contact\"coulomb\",\"friction_coefficient\":0.2,\"regularisation_m_s\":0.02}"

@@ -141,13 +141,16 @@ Candidate torque_in_both(const AppliedTorques<double>& applied, double strength,
   c.size = strength;
   AppliedTorques<double> unit = applied;
   unit.any = true, unit.level_axis = false;
-  const auto divide = ByKind{[strength](double& coefficient) { coefficient /= strength; },
-                             [strength](std::array<GradientTerm<double>, 2>& gradient) {
-                               for (GradientTerm<double>& term : gradient) term.strength /= strength;
-                             },
-                             [](bool&) {}};
-  for_each_member(divide, unit);
+  const double frequency = applied.given.frequency, phase = applied.given.phase;
+  for_each_coefficient([strength](double& coefficient) { coefficient /= strength; },
+                       [strength](std::array<GradientTerm<double>, 2>& gradient) {
+                         for (GradientTerm<double>& term : gradient) term.strength /= strength;
+                       },
+                       unit);
   c.input.applied = unit;
+  // A torque of a given course is changed in its size alone.
+  c.input.applied.given.frequency = c.input.applied.given.phase = 0;
+  unit.given.frequency = frequency, unit.given.phase = phase;
   c.torque = [scene, unit](const FollowedStep& s) {
     Model<double> alone = scene.problem_without_rows<double>().model;
     alone.applied = unit;
@@ -205,7 +208,27 @@ std::optional<Candidate> friction(const Scene& scene) {
   const double rate = std::max(norm(problem.natural_release().w_XB_B), 1e-3);
   AppliedTorques<double> alone;
   ((alone.*coefficients = problem.model.applied.*coefficients), ...);
-  const double size = norm(friction_torque(alone, Vec3<double>(0, 0, rate)));
+  double size = 0;
+  for (int i = 0; i < 3; ++i) size = std::max(size, norm(friction_torque(alone, Vec3<double>(rate * Vec3<double>::Unit(i)))));
+  if (!(size > 0)) return std::nullopt;
+  Candidate c = torque_in_both(alone, size, scene);
+  c.reason = "as given";
+  return c;
+}
+
+/// Return the candidates for an unequal support and for a given torque without a table, if the scene has them.
+std::optional<Candidate> unequal_support(const Scene& scene) {
+  AppliedTorques<double> alone;
+  alone.support = scene.problem_without_rows<double>().model.applied.support;
+  if (!alone.support.acts()) return std::nullopt;
+  Candidate c = torque_in_both(alone, alone.support.largest(), scene);
+  c.reason = "as given";
+  return c;
+}
+std::optional<Candidate> given_torque(const Scene& scene) {
+  AppliedTorques<double> alone;
+  alone.given = scene.problem_without_rows<double>().model.applied.given;
+  const double size = real::hypot(alone.given.x, alone.given.y, alone.given.z);
   if (!(size > 0)) return std::nullopt;
   Candidate c = torque_in_both(alone, size, scene);
   c.reason = "as given";
@@ -271,8 +294,12 @@ const Effect kEffects[] = {
     {kAxisPrecession, "", never, Listing::both, sized<axis_precession>},
     {.name = "viscous_torque",
      .key = "/effects/viscous_torque_N_m_s",
-     .is_modelled = [](const Scene& s) { return effects(s).applied.viscous_N_m_s != 0; },
-     .size = friction<&AppliedTorques<double>::viscous>,
+     .is_modelled =
+         [](const Scene& s) {
+           return effects(s).applied.viscous_N_m_s != 0 || effects(s).applied.viscous_by_axis_N_m_s.has_value();
+         },
+     .size = friction<&AppliedTorques<double>::viscous, &AppliedTorques<double>::viscous_1, &AppliedTorques<double>::viscous_2,
+                      &AppliedTorques<double>::viscous_3>,
      .share = "friction",
      .left_out_unsized = kNoCoefficient},
     {.name = "quadratic_torque",
@@ -299,6 +326,25 @@ const Effect kEffects[] = {
      .listing = Listing::summary_and_where_modelled,
      .share = "gimbal",
      .modelled_unsized = "not sized, since it is a constraint: it holds the axis level"},
+    {.name = "unequal_support",
+     .key = "/effects/unequal_support",
+     .is_modelled = [](const Scene& s) { return effects(s).applied.unequal_support.has_value(); },
+     .listing = Listing::where_modelled,
+     .size = unequal_support,
+     .share = "support"},
+    {.name = "given_torque",
+     .key = "/effects/given_torque",
+     .is_modelled = [](const Scene& s) { return effects(s).applied.given_torque.has_value(); },
+     .listing = Listing::where_modelled,
+     .size = given_torque,
+     .share = "given",
+     .modelled_unsized = "not sized, since a table gives it"},
+    {.name = "air_force",
+     .key = "/effects/air_force",
+     .is_modelled = [](const Scene& s) { return effects(s).applied.air_force.has_value(); },
+     .listing = Listing::where_modelled,
+     .share = "friction",
+     .modelled_unsized = "as given"},
     {.name = kRotorBearing,
      .key = "/rotor",
      .is_modelled =
@@ -355,7 +401,7 @@ bool has_share(const Scene& scene, std::string_view share) {
 std::vector<std::string_view> effect_names(const Scene& scene, bool modelled) {
   std::vector<std::string_view> names;
   for (const Effect& effect : kEffects)
-    if (effect.listing != Listing::budget_where_modelled && effect.is_modelled(scene) == modelled) names.push_back(effect.name);
+    if (effect.is_in_summary(scene) && effect.is_modelled(scene) == modelled) names.push_back(effect.name);
   return names;
 }
 

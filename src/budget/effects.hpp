@@ -37,7 +37,8 @@ enum class Listing {
   both,                        ///< in summary.json and in the budget
   summary,                     ///< in summary.json alone
   summary_and_where_modelled,  ///< in summary.json; in the budget only of a scene that models it
-  budget_where_modelled        ///< in the budget of a scene that models it
+  budget_where_modelled,       ///< in the budget of a scene that models it
+  where_modelled               ///< in both, of a scene that models it
 };
 
 struct Effect {
@@ -55,6 +56,9 @@ struct Effect {
   /// Reasons for an entry without a size.
   std::string_view modelled_unsized = "", left_out_unsized = "";
 
+  bool is_in_summary(const Scene& scene) const {
+    return listing != Listing::budget_where_modelled && (listing != Listing::where_modelled || is_modelled(scene));
+  }
   bool is_in_budget(const Scene& scene) const {
     return listing == Listing::both || (listing != Listing::summary && is_modelled(scene));
   }

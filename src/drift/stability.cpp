@@ -70,15 +70,16 @@ bool is_regular_top(const MotionProblem<double>& problem, const std::array<Vec3<
   });
 }
 
-/// The largest rate of change of the torques of a tide and of the gravity gradient with the top's angles, divided by I1. In a
-/// resonance with the top's own motion a disturbance grows by at most about the exponent sqrt(stiffness) t, as a pendulum's next
-/// to its upper equilibrium does [B. V. Chirikov, Phys. Rep. 52 (1979) 263, section 2.4]. (natural units)
+/// The largest rate of change of the torques of a tide, of the gravity gradient and of an unequal support with the top's
+/// angles, divided by I1. In a resonance with the top's own motion a disturbance grows by at most about the exponent
+/// sqrt(stiffness) t, as a pendulum's next to its upper equilibrium does [B. V. Chirikov, Phys. Rep. 52 (1979) 263, section
+/// 2.4]. (natural units)
 double stiffness_of_weak_torques(const Model<double>& model) {
   const ReducedTop<double> top = reduced_top(model);
   double stiffness = std::abs(top.moment_ratio) * model.tide.largest();
   for (const GradientTerm<double>& term : model.applied.gradient)
     stiffness += std::abs(term.strength * (top.I3 - top.I1) / top.I1);
-  return stiffness;
+  return stiffness + model.applied.support.largest() / top.I1;
 }
 
 /// The largest share of a symmetric top's spin that friction takes within a duration: all friction falls with the rate, so that
@@ -88,7 +89,8 @@ double share_of_spin_taken(const MotionProblem<double>& problem, double duration
   if (!applied.friction()) return 0;
   const Vec3<double> w = problem.natural_release().w_XB_B;
   const double spin = std::abs(w[2]);
-  const double torque = friction_coefficient(applied, w.dot(w)) * spin + disc_drag_coefficient(applied, spin) * spin;
+  const double torque =
+      (friction_coefficient(applied, w.dot(w)) + disc_drag_coefficient(applied, spin) + applied.viscous_3) * spin;
   return torque * duration / (problem.model.I_BP_B(2, 2) * spin);
 }
 
@@ -142,7 +144,8 @@ bool stays_regular(const MotionProblem<double>& problem, double duration_s) {
   const Model<double>& model = problem.model;
   if (model.kind == SceneKind::plain) return is_regular(problem);
   const bool rests = model.platform.turn.never_turns() && norm(model.platform.pivot_offset_P) == 0;
-  if (!rests || !is_reducible_when_driven(model) || is_free(model) || !is_Lagrange_top(problem)) return false;
+  if (!rests || !is_reducible_when_driven(model) || model.applied.given.acts || is_free(model) || !is_Lagrange_top(problem))
+    return false;
   const double duration = problem.units.time_from_s(duration_s);
   if (std::sqrt(stiffness_of_weak_torques(model)) * duration > kEFoldings) return false;
   const double taken = share_of_spin_taken(problem, duration);

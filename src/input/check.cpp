@@ -85,6 +85,9 @@ class Checker {
         if (node.kind != JsonKind::boolean) wrong_type(node, field, pointer);
         return;
       case number: return one_number(node, field, pointer);
+      case number_or_vector3:
+        if (node.kind == JsonKind::array) return number_list(node, field, pointer, 3, 3);
+        return one_number(node, field, pointer);
       case vector2: return number_list(node, field, pointer, 2, 2);
       case vector3: return number_list(node, field, pointer, 3, 3);
       case FieldKind::numbers: return number_list(node, field, pointer, 1, 4);

@@ -86,6 +86,7 @@ std::string allowed_values(const Field& field) {
     case word: return quoted_words(field.words);
     case flag: return "true or false";
     case number: return numbers_text("a number", field);
+    case number_or_vector3: return numbers_text("a number, or an array of 3 numbers", field);
     case vector2: return numbers_text("an array of 2 numbers", field);
     case vector3: return numbers_text("an array of 3 numbers", field);
     case matrix3: return numbers_text("an array of 3 rows of 3 numbers", field);

@@ -21,14 +21,15 @@ enum class FieldKind {
   word,            ///< one of `words`
   flag,            ///< true or false
   number,
-  vector2,   ///< two numbers
-  vector3,   ///< three numbers
-  matrix3,   ///< three rows of three numbers
-  numbers,   ///< one to four numbers
-  series,    ///< at least one number, and a thousand at most
-  points,    ///< rows of three numbers, as many
-  changes,   ///< "/json/pointer=value", any number of them
-  anything,  ///< any JSON, which the decoder checks
+  number_or_vector3,  ///< one number, or three of them
+  vector2,            ///< two numbers
+  vector3,            ///< three numbers
+  matrix3,            ///< three rows of three numbers
+  numbers,            ///< one to four numbers
+  series,             ///< at least one number, and a thousand at most
+  points,             ///< rows of three numbers, as many
+  changes,            ///< "/json/pointer=value", any number of them
+  anything,           ///< any JSON, which the decoder checks
 };
 
 /// The most numbers of a series, and rows of points.

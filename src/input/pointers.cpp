@@ -22,6 +22,7 @@ constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 std::vector<std::size_t> lengths_of(FieldKind kind) {
   switch (kind) {
     case FieldKind::vector2: return {2};
+    case FieldKind::number_or_vector3:
     case FieldKind::vector3: return {3};
     case FieldKind::matrix3: return {3, 3};
     case FieldKind::numbers: return {4};
@@ -221,7 +222,7 @@ PointerTarget pointer_target(const FieldTable& table, std::string_view pointer) 
     target.field = table.find(pattern);
     kind = target.field->kind;
     lengths = lengths_of(kind);
-    target.is_number = kind == FieldKind::number;
+    target.is_number = kind == FieldKind::number || kind == FieldKind::number_or_vector3;
   }
   return target;
 }

@@ -71,6 +71,7 @@ class SchemaWriter {
       case FieldKind::word: return words;
       case FieldKind::flag: return {{"type", "boolean"}};
       case FieldKind::number: return number;
+      case FieldKind::number_or_vector3: return {{"oneOf", Json::array({number, array_of(3, number)})}};
       case FieldKind::vector2: return array_of(2, number);
       case FieldKind::vector3: return array_of(3, number);
       case FieldKind::matrix3: return array_of(3, array_of(3, number));

@@ -27,6 +27,7 @@ class Section {
   bool present() const { return node_ != nullptr; }
   bool has(std::string_view key) const { return node_ && node_->find(key); }
   bool is_object(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::object; }
+  bool is_array(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::array; }
   bool is_word(std::string_view key) const { return has(key) && node_->find(key)->kind == JsonKind::string; }
   /// Returns whether the key is required wherever this object is given.
   bool is_required(std::string_view key) const;

@@ -36,8 +36,11 @@ struct DrivenAxisEquations {
 
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), &W_L = model.W_IL_L;
-    SeenBesideAxis<T> seen{n, u, w3 + x[6], W_L, pivot_field<SceneKind::full>(model, t).rotating_L, {}};
-    for (std::size_t i = 0; i < 2; ++i) seen.gradient[i] = model.applied.gradient[i].direction_L;
+    SeenBesideAxis<T> seen;
+    seen.n = n, seen.u = u, seen.w3 = w3 + x[6], seen.w_IP = W_L;
+    seen.field = pivot_field<SceneKind::full>(model, t).rotating_L;
+    see_torques(
+        top, model, t, [](const Vec3<T>& u_L) { return u_L; }, seen);
     if (model.applied.friction()) seen.w_IP = applied_motion::Carrier<T>(model.platform, t).w_LP_L + W_L;
     const AxisTorques<T> torques = axis_torques<T, T>(top, model, moment_factor(top, n), seen);
     const T nutation = b + (b_rest + top.spin_ratio * x[6]);

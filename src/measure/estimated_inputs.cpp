@@ -160,7 +160,7 @@ void EstimatedInputs::add_combined(CombinedInput combined, const std::string& na
 double EstimatedInputs::number_at(const std::string& pointer, const std::string& name) const {
   if (const auto number = number_in(document_.root(), pointer)) return *number;
   const input::Field* field = field_of(pointer);
-  if (field->kind == input::FieldKind::number) {
+  if (field->kind == input::FieldKind::number || field->kind == input::FieldKind::number_or_vector3) {
     double fallback = 0;
     const std::string_view text = field->fallback;
     if (std::from_chars(text.data(), text.data() + text.size(), fallback).ec == std::errc()) return fallback;

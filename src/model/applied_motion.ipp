@@ -34,6 +34,11 @@ SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B
   seen.w_IP_B = see(carrier.w_LP_L, model.W_IL_L_scaled);
   for (std::size_t i = 0; i < 2; ++i)
     if (applied.gradient[i].strength != T(0)) seen.gradient_B[i] = see(applied.gradient[i].direction_L, unchanged);
+  if (applied.support.acts()) seen.east_B = see(Vec3<T>::UnitX(), unchanged), seen.north_B = see(Vec3<T>::UnitY(), unchanged);
+  if (applied.given.acts) {
+    const Vec3<T> given = applied.given.at(t);
+    seen.given_B = applied.given.in_laboratory ? see(given, unchanged) : Vec3<S>(S(given[0]), S(given[1]), S(given[2]));
+  }
   if (!applied.level_axis) return seen;
   seen.up_P_B = see(carrier.up_P_L, unchanged);
   // The derivative of W + w_LP in inertial space: the rotating laboratory carries the platform's rate round.

@@ -4,7 +4,9 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "earthtop/frames/degrees.hpp"
 #include "earthtop/frames/gravity_gradient.hpp"
+#include "earthtop/model/moving_masses.hpp"
 
 namespace earthtop {
 namespace {
@@ -28,6 +30,36 @@ std::array<GradientTerm<double>, 2> terms_of(const GravityGradientSpec& spec, co
   return {GradientTerm<double>{3 * geocentric_gm_over_r3(site.latitude_deg, site.height_m),
                                geocentric_up_L(site.latitude_deg, site.height_m)},
           {}};
+}
+
+/// K = kappa e e^T.
+template <class T>
+SupportStiffness<T> stiffness(const UnequalSupportSpec& spec, T kappa) {
+  const SinCos<T> azimuth = sin_cos_degrees(T(spec.azimuth_deg));
+  return {kappa * azimuth.sin * azimuth.sin, kappa * azimuth.sin * azimuth.cos, kappa * azimuth.cos * azimuth.cos};
+}
+
+template <class T>
+GivenTorque<T> given_torque(const GivenTorqueSpec& spec, int mass_exponent, int time_exponent) {
+  const int newton_metre = 2 * time_exponent - mass_exponent;
+  GivenTorque<T> given;
+  given.acts = true;
+  given.in_laboratory = spec.axes == TorqueAxes::laboratory;
+  if (spec.course == TorqueCourse::table) {
+    std::array<std::shared_ptr<const AngleTable>, 3> rows;
+    for (std::size_t i = 0; i < 3; ++i) rows[i] = spec.components[i].rows;
+    given.table =
+        std::make_shared<const PiecewisePath<T>>(path_of_tables<T>(rows).scaled(newton_metre).in_time_units(time_exponent));
+    return given;
+  }
+  given.x = real::scale(T(spec.torque_N_m[0]), newton_metre);
+  given.y = real::scale(T(spec.torque_N_m[1]), newton_metre);
+  given.z = real::scale(T(spec.torque_N_m[2]), newton_metre);
+  if (spec.course == TorqueCourse::constant) return given;
+  given.oscillates = true;
+  given.frequency = real::scale(T(spec.frequency_hz), time_exponent);
+  given.phase = T(spec.phase_deg) * real::pi<T>() / T(180);
+  return given;
 }
 
 }  // namespace
@@ -86,10 +118,27 @@ AppliedTorques<T> make_applied_torques(const AppliedTorquesSpec& spec, const Sit
     applied.level_axis = true;
     applied.gimbal_damping = real::scale(T(spec.gimbal->damping_N_m_s), time_exponent - mass_exponent);
   }
+  if (const auto& k = spec.viscous_by_axis_N_m_s) {
+    T* const by_axis[] = {&applied.viscous_1, &applied.viscous_2, &applied.viscous_3};
+    for (std::size_t i = 0; i < 3; ++i) *by_axis[i] = real::scale(T((*k)[i]), time_exponent - mass_exponent);
+  }
+  if (spec.unequal_support && !spec.unequal_support->periods_s)
+    applied.support =
+        stiffness<T>(*spec.unequal_support, real::scale(T(spec.unequal_support->kappa_N_m), 2 * time_exponent - mass_exponent));
+  if (spec.given_torque) applied.given = given_torque<T>(*spec.given_torque, mass_exponent, time_exponent);
   return applied;
 }
 template AppliedTorques<double> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 template AppliedTorques<float80> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
 template AppliedTorques<float128> make_applied_torques(const AppliedTorquesSpec&, const Site&, double, int, int);
+
+template <class T>
+SupportStiffness<T> support_of_periods(const UnequalSupportSpec& spec, T weight_torque) {
+  const T ratio = T((*spec.periods_s)[1]) / T((*spec.periods_s)[0]);
+  return stiffness<T>(spec, T(real::abs(weight_torque) * ((ratio - T(1)) * (ratio + T(1)))));
+}
+template SupportStiffness<double> support_of_periods(const UnequalSupportSpec&, double);
+template SupportStiffness<float80> support_of_periods(const UnequalSupportSpec&, float80);
+template SupportStiffness<float128> support_of_periods(const UnequalSupportSpec&, float128);
 
 }  // namespace earthtop

@@ -51,11 +51,43 @@ Contact<T> in_units(Contact<T> c, const NaturalUnits& units) {
   c.I_BC_B = scaled(c.I_BC_B, -mass), c.I_BC_B_inverse = scaled(c.I_BC_B_inverse, mass), c.S_BC_B = scaled(c.S_BC_B, -mass);
   c.I1 = real::scale(c.I1, -mass), c.I3 = real::scale(c.I3, -mass);
   c.gradient_H = scaled(c.gradient_H, 2 * time);
+  AirOnTable<T>& air = c.air;
+  for (T* k : {&air.viscous, &air.viscous_1, &air.viscous_2, &air.viscous_3, &air.force}) *k = real::scale(*k, time - mass);
+  for (T* k : {&air.quadratic, &air.force_by_speed}) *k = real::scale(*k, -mass);
+  // As in applied_torques.cpp: the rate enters with the power 3/2 or 9/5.
+  if (air.has_drag) {
+    air.disc_laminar = real::scale(air.disc_laminar, -mass) * real::pow(T(2), T(time) / T(2));
+    air.disc_turbulent = real::scale(air.disc_turbulent, -mass) * real::pow(T(2), T(time) / T(5));
+  }
+  air.rate_floor = real::scale(air.rate_floor, time), air.speed_floor = real::scale(air.speed_floor, time);
   return c;
 }
 template Contact<double> in_units(Contact<double>, const NaturalUnits&);
 template Contact<float80> in_units(Contact<float80>, const NaturalUnits&);
 template Contact<float128> in_units(Contact<float128>, const NaturalUnits&);
+
+template <class T>
+AirOnTable<T> make_air_on_table(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s) {
+  constexpr double kRateFloor = 0.01, kSpeedFloor = 1e-3;  // rad/s, m/s: slower than anything of a top that is looked at
+  AppliedTorquesSpec rubbing = spec;
+  rubbing.gravity_gradient.reset(), rubbing.air_force.reset();
+  const AppliedTorques<T> torques = make_applied_torques<T>(rubbing, site, spin_rad_s, 0, 0);
+  AirOnTable<T> air;
+  air.turns = torques.friction();
+  air.has_quadratic = torques.quadratic != T(0), air.has_axes = torques.has_viscous_axes(), air.has_drag = torques.has_disc();
+  air.viscous = torques.viscous, air.quadratic = torques.quadratic;
+  air.viscous_1 = torques.viscous_1, air.viscous_2 = torques.viscous_2, air.viscous_3 = torques.viscous_3;
+  air.disc_laminar = torques.disc_laminar, air.disc_turbulent = torques.disc_turbulent;
+  if (const auto& force = spec.air_force) {
+    air.force = T(force->linear_N_s_m), air.force_by_speed = T(force->quadratic_N_s2_m2);
+    air.pulls = air.force != T(0) || air.force_by_speed != T(0), air.pulls_by_square = air.force_by_speed != T(0);
+  }
+  if (air.acts()) air.rate_floor = T(kRateFloor), air.speed_floor = T(kSpeedFloor);
+  return air;
+}
+template AirOnTable<double> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
+template AirOnTable<float80> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
+template AirOnTable<float128> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
 
 template <class T>
 Contact<T> make_contact(const ContactSpec& spec, const Body<T>& body, const Site& site, const TorqueWeights<T>& weights,

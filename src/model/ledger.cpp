@@ -107,22 +107,26 @@ template <class T>
 std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, T t, const Quaternion<T>& q_LB,
                                                             const Vec3<T>& w_LB_B, const Vec3<T>& applied_B) {
   const Vec3<T> nothing = Vec3<T>::Zero();
-  Vec3<T> tide = nothing, gradient = nothing, friction = nothing, gimbal = nothing;
+  Vec3<T> tide = nothing, gradient = nothing, friction = nothing, gimbal = nothing, support = nothing, given = nothing;
   if (!model.tide.empty())
     tide = field_torque(model.mass_moment_B, transposed_times(rotation_matrix(q_LB), model.tide.acceleration_L(t)));
   if (model.applied.any) {
     Model<T> part = model;
     part.applied.level_axis = false;
     const Vec3<T> free = applied_torque_B(part, t, q_LB, w_LB_B, true);
-    part.applied.gradient = {};
+    part.applied.gradient = {}, part.applied.support = {}, part.applied.given = {};
     friction = applied_torque_B(part, t, q_LB, w_LB_B, true);
-    part.applied = AppliedTorques<T>();
-    part.applied.any = true;
-    part.applied.gradient = model.applied.gradient;
-    gradient = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    const auto alone = [&](auto AppliedTorques<T>::*share) {
+      part.applied = AppliedTorques<T>();
+      part.applied.any = true;
+      part.applied.*share = model.applied.*share;
+      return applied_torque_B(part, t, q_LB, w_LB_B, true);
+    };
+    gradient = alone(&AppliedTorques<T>::gradient);
+    support = alone(&AppliedTorques<T>::support), given = alone(&AppliedTorques<T>::given);
     if (model.applied.level_axis) gimbal = applied_B - free;
   }
-  return {tide, gradient, friction, gimbal};
+  return {tide, gradient, friction, gimbal, support, given};
 }
 
 /// The side of the ledger with the torques of [F] (torques.hpp).
@@ -285,7 +289,11 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
   count_torques<T>(entry, model, A, in_laboratory, state.w_LB_B, Vec3<T>::Zero(), transposed_times(x.R_HB, physical_H),
                    rotor_at<T>(model, t, nullptr, state.w_LB_B, T(0)));
   const Vec3<T> mass_moment_H = contact.mass * times(x.R_HB, contact.p_OC_B);
-  entry.share_A = {from_H(field_torque(mass_moment_H, tide_H)), from_H(ledger.gradient), from_H(ledger.friction),
+  entry.share_A = {from_H(field_torque(mass_moment_H, tide_H)),
+                   from_H(ledger.gradient),
+                   from_H(ledger.friction),
+                   Vec3<T>::Zero(),
+                   Vec3<T>::Zero(),
                    Vec3<T>::Zero()};
   entry.force_table_A = from_H(Vec3<T>(rates.reaction.normal_force * z + rates.reaction.friction));
   if (observer != LedgerObserver::body)

@@ -48,24 +48,6 @@ std::vector<Piece<T>> waypoint_pieces(const MovingMassSpec& spec) {
   return pieces;
 }
 
-/// The cubic splines of three coordinates.
-template <class T>
-std::vector<Piece<T>> table_pieces(const MovingMassSpec& spec) {
-  for (const FiledTable& table : spec.coordinates)
-    if (!table.rows) throw std::invalid_argument("path \"table\": there is no table");
-  const std::vector<double>& times = spec.coordinates[0].rows->t_s;
-  std::vector<Piece<T>> pieces(times.size() - 1);
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) pieces[i] = resting_piece<T>(T(times[i]), Vec3<T>::Zero());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const AngleSpline<T> spline(*spec.coordinates[axis].rows);
-    for (Piece<T>& piece : pieces) {
-      const std::array<T, 4> cubic = spline.cubic_from(piece.start);
-      for (std::size_t k = 0; k < cubic.size(); ++k) piece.coefficients[k][static_cast<int>(axis)] = cubic[k];
-    }
-  }
-  return pieces;
-}
-
 template <class T>
 MassOnPath<T> on_path(const MovingMassSpec& spec) {
   MassOnPath<T> one;
@@ -83,12 +65,34 @@ MassOnPath<T> on_path(const MovingMassSpec& spec) {
       break;
     }
     case MassMotion::waypoints: one.pieces = std::make_shared<const PiecewisePath<T>>(waypoint_pieces<T>(spec)); break;
-    case MassMotion::table: one.pieces = std::make_shared<const PiecewisePath<T>>(table_pieces<T>(spec)); break;
+    case MassMotion::table: {
+      std::array<std::shared_ptr<const AngleTable>, 3> rows;
+      for (std::size_t i = 0; i < 3; ++i) rows[i] = spec.coordinates[i].rows;
+      one.pieces = std::make_shared<const PiecewisePath<T>>(path_of_tables<T>(rows));
+      break;
+    }
   }
   return one;
 }
 
 }  // namespace
+
+template <class T>
+PiecewisePath<T> path_of_tables(const std::array<std::shared_ptr<const AngleTable>, 3>& tables) {
+  for (const auto& table : tables)
+    if (!table) throw std::invalid_argument("\"table\": there is no table");
+  const std::vector<double>& times = tables[0]->t_s;
+  std::vector<Piece<T>> pieces(times.size() - 1);
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) pieces[i] = resting_piece<T>(T(times[i]), Vec3<T>::Zero());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const AngleSpline<T> spline(*tables[axis]);
+    for (Piece<T>& piece : pieces) {
+      const std::array<T, 4> cubic = spline.cubic_from(piece.start);
+      for (std::size_t k = 0; k < cubic.size(); ++k) piece.coefficients[k][static_cast<int>(axis)] = cubic[k];
+    }
+  }
+  return PiecewisePath<T>(std::move(pieces));
+}
 
 template <class T>
 MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrier carrier, bool only_moving) {
@@ -110,8 +114,9 @@ MovingMasses<T> in_units(MovingMasses<T> masses, int mass_exponent, int time_exp
   return masses;
 }
 
-#define EARTHTOP_MASSES(T)                                                                           \
-  template MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrier, bool); \
+#define EARTHTOP_MASSES(T)                                                                                  \
+  template PiecewisePath<T> path_of_tables(const std::array<std::shared_ptr<const AngleTable>, 3>& tables); \
+  template MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrier, bool);        \
   template MovingMasses<T> in_units(MovingMasses<T>, int, int);
 EARTHTOP_MASSES(double)
 EARTHTOP_MASSES(float80)

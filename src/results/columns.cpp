@@ -47,12 +47,18 @@ constexpr TorqueQuantity kTorques[] = {
         "tau_gradient", "part of the physical torque: the gravity gradient", "tau_gradient_N_m",
         [](const auto& r) { return r.share_A[1]; }, [](const Scene& scene) { return has_share(scene, kAppliedShares[1]); }),
     torque(
-        "tau_friction", "part of the physical torque: friction of the pivot, or of a table with the tip", "tau_friction_N_m",
-        [](const auto& r) { return r.share_A[2]; },
+        "tau_friction", "part of the physical torque: friction of the pivot, of the air, or of a table with the tip",
+        "tau_friction_N_m", [](const auto& r) { return r.share_A[2]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[2]) || has_table_friction(scene); }),
     torque(
         "tau_gimbal", "part of the physical torque: the gimbal", "tau_gimbal_N_m", [](const auto& r) { return r.share_A[3]; },
         [](const Scene& scene) { return has_share(scene, kAppliedShares[3]); }),
+    torque(
+        "tau_support", "part of the physical torque: an unequal support", "tau_support_N_m",
+        [](const auto& r) { return r.share_A[4]; }, [](const Scene& scene) { return has_share(scene, kAppliedShares[4]); }),
+    torque(
+        "tau_given", "part of the physical torque: a given torque", "tau_given_N_m", [](const auto& r) { return r.share_A[5]; },
+        [](const Scene& scene) { return has_share(scene, kAppliedShares[5]); }),
     torque(
         "tau_cor_inertia", "part of the Coriolis torque: the change of the inertia that the observer sees",
         "tau_cor_inertia_N_m", [](const auto& r) { return r.tau_cor_inertia_A; }, has_parts),

@@ -85,6 +85,11 @@ Scenario any_scenario(int kind) {
   scenario.effects.automatic = true;
   scenario.effects.applied = {
       1, 1, 1, AirDragSpec{}, GravityGradientSpec{first ? GradientField::given : GradientField::radial}, GimbalSpec{}};
+  AppliedTorquesSpec& applied = scenario.effects.applied;
+  applied.unequal_support.emplace();
+  if (first) applied.unequal_support->periods_s = {1, 2};
+  applied.given_torque.emplace().course = static_cast<TorqueCourse>(kind % 3);
+  applied.air_force.emplace();
   if (first) scenario.numerics.step_s = 1;
   scenario.numerics.composition = Composition::rkn6;
   scenario.precision = Precision::bits113;

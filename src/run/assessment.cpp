@@ -33,6 +33,9 @@ PivotConditions conditions_of(const Scene& scene) {
   PivotConditions conditions;
   conditions.alone = scene.is_plain() ||
                      (scene.support().has_moving_parts() && !scene.scenario().platform && scene.scenario().effects.plain());
+  const EffectsSpec& effects = scene.scenario().effects;
+  conditions.beside_support =
+      scene.support().is_fixed_pivot && effects.all_on() && !effects.tide && effects.applied.support_alone();
   conditions.gimbals = scene.scenario().gimbals ? &*scene.scenario().gimbals : nullptr;
   if (conditions.gimbals != nullptr) conditions.outer_axis_without_gravity = is_without_gravity_about_outer_axis(scene);
   const auto& rotor = scene.scenario().rotor;
@@ -80,7 +83,9 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
-  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor) return {};
+  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor &&
+      !scene.scenario().effects.applied.support_alone())
+    return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)
                                       : follow_invariants(scene, result.extended_rows, watch);
 }

@@ -11,7 +11,7 @@ namespace {
 
 TableConditions conditions(const Scene& scene, bool symmetric) {
   const EffectsSpec& effects = scene.scenario().effects;
-  const bool alone = effects.all_on() && !effects.tide && !effects.applied.gravity_gradient;
+  const bool alone = effects.plain();
   return {*scene.scenario().contact, symmetric, alone};
 }
 

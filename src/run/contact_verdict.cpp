@@ -24,7 +24,8 @@ std::optional<double> first_event(const RunResult& result, ContactEventKind kind
 /// and where it rolls on a level table without moments.
 bool is_integrable_on_table(const DriftProblem<double>& problem) {
   const Contact<double>& contact = problem.table->contact;
-  if (!is_symmetric(contact) || contact.has_spinning_friction || contact.has_rolling_resistance) return false;
+  if (!is_symmetric(contact) || contact.has_spinning_friction || contact.has_rolling_resistance || contact.air.acts())
+    return false;
   const bool level = norm(problem.table->start.q_LH.v) == 0;
   return contact.law == ContactLaw::frictionless || (contact.law == ContactLaw::rolling && level);
 }

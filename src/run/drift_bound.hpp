@@ -37,13 +37,13 @@ const RoundOffUnits& round_off_of(const DriftProblem<T>& problem) {
 }
 
 /// Changes the contact by some units in the last place, as `nudge` changes the model; the body stays symmetric if it is so.
-/// Regularisations, lengths of further friction, weights and gradient stay as they are.
+/// Regularisations, lengths of further friction, weights, gradient and air stay as they are.
 template <class T>
 void nudge_contact(Contact<T>& contact, T unit) {
   // All members have a name here, so that a further one is not forgotten.
   auto& [law, has_spinning_friction, has_rolling_resistance, has_gradient, omits_torques, mass, tip_radius, viscosity,
          coefficient, slip_floor, patch_radius, slip_of_spin, spin_of_slip, moment_factor, spinning_length, rolling_length,
-         rate_floor, p_OC_B, I_BC_B, I_BC_B_inverse, S_BC_B, height_of_center, I1, I3, weights, gradient_H] = contact;
+         rate_floor, p_OC_B, I_BC_B, I_BC_B_inverse, S_BC_B, height_of_center, I1, I3, weights, gradient_H, air] = contact;
   Vec3<T> stretch(T(1) + unit, T(1) - unit, T(1) + unit / T(2));
   if (is_symmetric(contact)) stretch[1] = stretch[0];
   for (int i = 0; i < 3; ++i)
@@ -120,6 +120,11 @@ void nudge(DriftProblem<T>& problem, T units, Nudged nudged) {
       model.I_BP_B_inverse(i, j) *= stretch[i] * stretch[j];
       model.I_BP_B(i, j) /= stretch[i] * stretch[j];
     }
+  // What acts as gravity does, whatever the rates: numbers that are 0 stay so.
+  GivenTorque<T>& given = model.applied.given;
+  given.x *= T(1) + kUnit, given.y *= T(1) - kUnit, given.z *= T(1) + kUnit / T(2);
+  SupportStiffness<T>& support = model.applied.support;
+  support.east *= T(1) - kUnit, support.east_north *= T(1) - kUnit, support.north *= T(1) - kUnit;
   if (model.kind == SceneKind::suspension) nudge_gimbals(model.gimbals, kUnit);
   if (problem.table) {
     nudge_contact(problem.table->contact, kUnit);

@@ -30,6 +30,8 @@ std::string other_action(const Scene& scene) {
   if (s.platform && s.platform->pivot_offset_m != std::array<double, 3>{}) return "the pivot rides on a platform";
   if (s.effects.applied.friction()) return "friction acts";
   if (s.effects.applied.gimbal) return "a gimbal holds the axis";
+  if (s.effects.applied.unequal_support) return "the support is not equally stiff";
+  if (s.effects.applied.given_torque) return "a given torque acts";
   if (s.effects.tide) return "the tide changes with time";
   if (!s.effects.all_on()) return "a non-inertial torque is left out";
   return "";

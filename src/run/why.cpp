@@ -215,6 +215,7 @@ void why::tell_on_pivot(Told& told) {
     if (told.sentences.empty()) tell_unequal_moments(told);
   } else if (told.theory == nullptr) {
     tell_pendulum(told);
+    tell_unequal_pendulum(told);
     tell_gyrocompass(told);
     tell_rubbed(told);
   } else if (agrees(*told.theory)) {

@@ -19,7 +19,8 @@ namespace {
 /// Whether only friction acts besides gravity, and brings neither motion to rest.
 bool only_rubs(const Told& told) {
   const AppliedTorquesSpec& applied = told.scene.scenario().effects.applied;
-  return applied.friction() && !applied.gravity_gradient && !applied.gimbal && told.result.stops.empty() && told.result.motion;
+  return applied.friction() && !applied.gravity_gradient && !applied.gimbal && !applied.unequal_support &&
+         !applied.given_torque && told.scene.is_reducible_when_driven() && told.result.stops.empty() && told.result.motion;
 }
 
 /// The spin (rad/s) to which friction brings a top whose axis is at rest, by Runge-Kutta steps of dw3/dt = torque / I3.

@@ -135,6 +135,38 @@ void tell_pendulum(Told& told) {
       {{"predicted_rad_s", rate.value}, {"predicted_error_rad_s", rate.left_out}, {"computed_rad_s", *seen}});
 }
 
+/// A pendulum whose support is not equally stiff: the swings along the direction e and across it get out of step faster than
+/// the Earth turns the plane.
+void tell_unequal_pendulum(Told& told) {
+  const AppliedTorquesSpec& applied = told.scene.scenario().effects.applied;
+  const Vec3<double> n_L = vector(told.result.looks.front().ref_axis_L);
+  if (!applied.support_alone() || !axis_at_rest(told.scene) || told.scene.release<double>().w_XB_B[2] != 0 ||
+      !(told.mgl * n_L[2] < 0) || std::abs(told.W_L[2]) <= kNone * told.Omega())
+    return;
+  const SupportStiffness<double>& K = told.scene.model<double>().applied.support;
+  const double kappa = K.east + K.north, weight = std::abs(told.mgl), amplitude = real::hypot(n_L[0], n_L[1]);
+  constexpr double kLargest = 0.1, kFaster = 3;
+  if (amplitude > kLargest || !(weight + kappa > 0)) return;
+  const double along = std::sqrt((weight + kappa) / told.I1), across = std::sqrt(weight / told.I1);
+  const double apart = std::abs(along - across), turning = std::abs(told.W_L[2]) * (1 - told.I3 / (2 * told.I1));
+  if (!(apart > kFaster * 2 * turning)) return;
+  tell_earth_turns(told);
+  told.add(
+      "support_is_unequal",
+      fmt::format("The support is {} along the azimuth of {:.4g}°: the swing along it has the rate {:.7g} rad/s, and that "
+                  "across it {:.7g} rad/s. The two get out of step by one turn in {:.5g} s, in which the swing opens to an "
+                  "ellipse and closes again.",
+                  kappa > 0 ? "stiffer" : "softer", applied.unequal_support->azimuth_deg, along, across,
+                  2 * std::numbers::pi / apart),
+      {{"rate_along_rad_s", along}, {"rate_across_rad_s", across}, {"out_of_step_s", 2 * std::numbers::pi / apart}});
+  told.add(
+      "plane_is_held",
+      fmt::format("On a support that is equally stiff the Earth would turn the plane of the swing by {:.4g} rad/s. Here the "
+                  "swings part by {:.4g} rad/s, {:.3g} times as fast, so that its turn does not add up from swing to swing.",
+                  turning, apart, apart / turning),
+      {{"turning_rad_s", turning}, {"apart_rad_s", apart}});
+}
+
 void tell_gyrocompass(Told& told) {
   AppliedTorquesSpec applied = told.scene.scenario().effects.applied;
   if (!applied.gimbal || applied.gimbal->damping_N_m_s != 0 || !axis_at_rest(told.scene)) return;

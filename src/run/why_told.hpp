@@ -156,6 +156,7 @@ void tell_slow_drift(Told& told, const SlowTop& top, const SlowPrecession& slow,
 void tell_free_gyroscope(Told& told);
 void tell_sleeping_top(Told& told);
 void tell_pendulum(Told& told);
+void tell_unequal_pendulum(Told& told);
 void tell_gyrocompass(Told& told);
 void tell_rubbed(Told& told);
 void tell_without_torque(Told& told);

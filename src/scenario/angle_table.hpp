@@ -28,6 +28,8 @@ inline constexpr TableKind kTableOfAngles{"t_s,angle_rad", "the angles in radian
 inline constexpr TableKind kTableOfRates{"t_s,rate_rad_s", "the rates in rad/s", "rad/s", "rad/s^2", true};
 inline constexpr TableKind kTableOfPlaces{"t_s,x_m,y_m,z_m", "the coordinates in metres", "m/s", "m/s^2", false};
 
+inline constexpr TableKind kTableOfTorques{"t_s,x_N_m,y_N_m,z_N_m", "the torques in N m", "N m/s", "N m/s^2", false};
+
 /// Reads a table from CSV text: its header line, then at least four lines of as many finite numbers. The times must
 /// be strictly ascending, start at or before 0 and end at or after the duration. Lines end with LF or CRLF; the last one may
 /// end with the text.

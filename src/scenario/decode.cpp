@@ -95,7 +95,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   }
   Reading accuracy(root.section("accuracy")), report(root.section("report"));
   accuracy.key("drift_rad", scenario.accuracy_rad);
-  decode_effects(root, scenario);
+  decode_effects(root, source, scenario);
   check_beside_masses(root, scenario);
   decode_numerics(root.section("numerics"), scenario);
   if (root.has("contact")) scenario.contact = decode_contact(root, scenario);

@@ -52,8 +52,9 @@ void check_gyrostat(const Section& root, const BodySpec& body, const RotorSpec& 
 std::optional<ContactSpec> decode_contact(const Section& root, const Scenario& scenario);
 
 /// Decodes which torques act, and the directions of the Earth's pole and of the plumb line.
-/// @param scenario  must have site and rate; its effects, site and rate are written
-void decode_effects(const Section& root, Scenario& scenario);
+/// @param source  says whether a table may be read, and where   @param scenario  must have site, rate and duration; its
+/// effects, site and rate are written
+void decode_effects(const Section& root, const ScenarioSource& source, Scenario& scenario);
 
 /// Decodes method, tolerances and steps. @param scenario  its duration and output step are used, its numerics are written
 void decode_numerics(const Section& numerics, Scenario& scenario);

@@ -77,14 +77,12 @@ void check_beside(const Section& root, const Scenario& scenario) {
   const auto refuse_effect = [&](std::string_view key, bool acts, std::string_view what) {
     if (acts) effects.refuse_key(key, fmt::format("is not available with /contact: {}; {}", what, kLeave));
   };
-  constexpr std::string_view kPivotFriction =
-      "it is friction of a fixed pivot, a torque without a force; a tip's friction is /contact/law, spinning_friction_m and "
-      "rolling_resistance_m";
-  refuse_effect("viscous_torque_N_m_s", applied.viscous_N_m_s != 0, kPivotFriction);
-  refuse_effect("quadratic_torque_N_m_s2", applied.quadratic_N_m_s2 != 0, kPivotFriction);
-  refuse_effect("coulomb_torque_N_m", applied.coulomb_N_m != 0, kPivotFriction);
-  refuse_effect("air_drag", applied.air_drag.has_value(),
-                "only the torque of the air is modelled, not its force on a top that walks");
+  refuse_effect(
+      "coulomb_torque_N_m", applied.coulomb_N_m != 0,
+      "it is friction of a fixed pivot, a torque without a force; a tip's friction is /contact/law, spinning_friction_m "
+      "and rolling_resistance_m");
+  refuse_effect("unequal_support", applied.unequal_support.has_value(), "it is the stiffness of a pivot");
+  refuse_effect("given_torque", applied.given_torque.has_value(), "it acts on a body about a pivot, and a tip is free");
   refuse_effect("gimbal", applied.gimbal.has_value(),
                 "it holds the axis of a body that a pivot carries, and a tip on a table is free");
   if (root.has("rotor"))

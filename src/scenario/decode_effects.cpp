@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decodes the effects that act, and checks that they fit the rest of the scene.
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include "earthtop/frames/earth_orientation.hpp"
 #include "input/suggest.hpp"
 #include "scenario/decode.hpp"
+#include "scenario/filed_table.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
 
@@ -33,6 +35,39 @@ void check_tide(const Section& effects, const Section& motion) {
   require_start(effects, "tide", motion);
 }
 
+/// Checks that an unequal support is given in one of the two ways, and that what holds the body is at rest in the laboratory.
+void check_support(const Section& root, const Section& effects, bool has_gimbal) {
+  constexpr std::string_view kKey = "unequal_support";
+  if (!effects.has(kKey)) return;
+  const Section support = effects.section(kKey);
+  const bool has_kappa = support.has("kappa_N_m"), has_periods = support.has("periods_s");
+  if (has_kappa && has_periods)
+    support.refuse_key("periods_s", "kappa_N_m and periods_s are both given; give exactly one");
+  else if (!has_periods)
+    support.require("kappa_N_m");
+  const auto refuse = [&](bool is_given, std::string_view other, std::string_view why) {
+    if (is_given) effects.refuse_key(kKey, fmt::format("is not available with {}: {}; leave one of the two out", other, why));
+  };
+  refuse(root.has("platform"), "/platform", "its direction is at rest in the laboratory");
+  refuse(has_gimbal, "/effects/gimbal", "the gimbal holds the axis level");
+}
+
+/// Checks that a given torque's course has the keys it needs and no other, and reads its table.
+void decode_given_torque(const Section& given, const ScenarioSource& source, Scenario& scenario) {
+  GivenTorqueSpec& spec = *scenario.effects.applied.given_torque;
+  if (given.has("course") && !given.word("course")) return;
+  const CourseRule& rule = row_of(kTorqueCourses, spec.course);
+  for (const std::string_view key : split_words(kCourseKeys)) {
+    if (lists(rule.required, key)) given.require(key);
+    if (!lists(rule.allowed, key) && given.has(key))
+      given.refuse_key(key, fmt::format("does not belong to the course \"{}\"; allowed with it: {}", rule.word,
+                                        fmt::join(split_words(rule.allowed), ", ")));
+  }
+  if (spec.course == TorqueCourse::table) decode_table(given, source, scenario.duration_s, kTableOfTorques, spec.components);
+  if (spec.course == TorqueCourse::table && !spec.components[0].rows)
+    scenario.effects.applied.given_torque.reset();  // the table has been refused
+}
+
 /// Decodes the pole, the length of day and the plumb line.
 void decode_orientation(const Section& effects, const Section& motion, Scenario& scenario) {
   Reading codec(effects);
@@ -45,12 +80,18 @@ void decode_orientation(const Section& effects, const Section& motion, Scenario&
 
 }  // namespace
 
-void decode_effects(const Section& root, Scenario& scenario) {
+void decode_effects(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   const Section effects = root.section("effects"), motion = root.section("motion");
   EffectsSpec& spec = scenario.effects;
   Reading codec(effects);
   torque_keys(codec, spec);
   tide_key(codec, spec.tide);
+  check_support(root, effects, spec.applied.gimbal.has_value());
+  if (spec.applied.given_torque) decode_given_torque(effects.section("given_torque"), source, scenario);
+  if (effects.has("air_force") && !root.has("contact"))
+    effects.refuse_key("air_force",
+                       "acts on a top that stands on a table, and there is no /contact; on a fixed pivot give the friction as "
+                       "viscous_torque_N_m_s or quadratic_torque_N_m_s2");
   if (spec.applied.air_drag && !(spec.applied.air_drag->disc_radius_m > 0))
     spec.applied.air_drag->disc_radius_m = 1;  // a stand-in: the given radius has been refused
   if (root.is_word("effects")) spec.automatic = true;

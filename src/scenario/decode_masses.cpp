@@ -89,7 +89,7 @@ bool decode_mass(const Section& mass, bool has_gimbals, const ScenarioSource& so
                 "is \"outer\", and there is no outer gimbal that could carry the mass; must be \"body\", or give /gimbals");
   if (spec.motion == MassMotion::circle && !check_circle(mass, spec)) return false;
   if (spec.motion == MassMotion::waypoints && !check_waypoints(mass, spec)) return false;
-  if (spec.motion == MassMotion::table) decode_table(mass, source, duration_s, spec.coordinates);
+  if (spec.motion == MassMotion::table) decode_table(mass, source, duration_s, kTableOfPlaces, spec.coordinates);
   return codec.complete() && (spec.motion != MassMotion::table || spec.coordinates[0].rows);
 }
 

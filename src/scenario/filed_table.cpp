@@ -60,10 +60,10 @@ void decode_table(const Section& section, const ScenarioSource& source, double d
   if (!columns.empty()) table.rows = std::make_shared<const AngleTable>(std::move(columns.front()));
 }
 
-void decode_table(const Section& section, const ScenarioSource& source, double duration_s,
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
                   std::array<FiledTable, 3>& coordinates) {
   FiledTable& first = coordinates[0];
-  std::vector<AngleTable> columns = decode_columns(section, source, duration_s, kTableOfPlaces, first);
+  std::vector<AngleTable> columns = decode_columns(section, source, duration_s, kind, first);
   for (std::size_t i = 0; i < columns.size(); ++i) {
     coordinates[i].file = first.file, coordinates[i].file_sha256 = first.file_sha256;
     coordinates[i].rows = std::make_shared<const AngleTable>(std::move(columns[i]));

@@ -13,8 +13,9 @@ namespace earthtop::scenario {
 void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
                   FiledTable& table);
 
-/// Reads the table of a path: one file with three coordinates, each of which becomes a table of its own.
-void decode_table(const Section& section, const ScenarioSource& source, double duration_s,
+/// Reads a table of three coordinates, or of a vector's three components, from one file; each of them becomes a table of its
+/// own.
+void decode_table(const Section& section, const ScenarioSource& source, double duration_s, const TableKind& kind,
                   std::array<FiledTable, 3>& coordinates);
 
 }  // namespace earthtop::scenario

@@ -335,13 +335,41 @@ void orientation_keys(Codec& codec, S& scenario) {
   codec.sparse("excess_length_of_day_ms", scenario.excess_length_of_day_ms);
 }
 
+/// Describes an unequal support, by its stiffness or by the periods of a pendulum.
+template <class Codec, class S>
+void unequal_support_keys(Codec& codec, S& support) {
+  if (codec.takes("periods_s", support.periods_s.has_value()))
+    codec.key("periods_s", support.periods_s);
+  else
+    codec.key("kappa_N_m", support.kappa_N_m);
+  codec.key("azimuth_deg", support.azimuth_deg);
+}
+
+/// Describes a given torque. The keys of a course are written with that course only.
+template <class Codec, class S>
+void given_torque_keys(Codec& codec, S& given) {
+  codec.word("axes", given.axes, kTorqueAxes);
+  codec.word("course", given.course, kTorqueCourses);
+  const auto of_course = [&](std::string_view key, auto& member) {
+    if (!Codec::kWrites || input::lists(row_of(kTorqueCourses, given.course).allowed, key)) codec.key(key, member);
+  };
+  of_course("torque_N_m", given.torque_N_m);
+  of_course("frequency_hz", given.frequency_hz);
+  of_course("phase_deg", given.phase_deg);
+  of_course("file", given.components[0].file);
+  of_course("file_sha256", given.components[0].file_sha256);  // represents the table in the run's identity
+}
+
 template <class Codec, class S>
 void torque_keys(Codec& codec, S& effects) {
   codec.key("coriolis", effects.coriolis);
   codec.key("centrifugal", effects.centrifugal);
   codec.key("transverse", effects.transverse);
   auto& applied = effects.applied;
-  codec.sparse("viscous_torque_N_m_s", applied.viscous_N_m_s);
+  if (codec.takes_array("viscous_torque_N_m_s", applied.viscous_by_axis_N_m_s.has_value()))
+    codec.key("viscous_torque_N_m_s", applied.viscous_by_axis_N_m_s);
+  else
+    codec.sparse("viscous_torque_N_m_s", applied.viscous_N_m_s);
   codec.sparse("quadratic_torque_N_m_s2", applied.quadratic_N_m_s2);
   codec.sparse("coulomb_torque_N_m", applied.coulomb_N_m);
   if (codec.switched("air_drag", applied.air_drag))
@@ -349,6 +377,15 @@ void torque_keys(Codec& codec, S& effects) {
   gravity_gradient_key(codec, applied.gravity_gradient);
   if (codec.switched("gimbal", applied.gimbal))
     codec.object("gimbal", true, [&](auto& below) { below.key("damping_N_m_s", applied.gimbal->damping_N_m_s); });
+  if (codec.switched("unequal_support", applied.unequal_support))
+    codec.object("unequal_support", true, [&](auto& below) { unequal_support_keys(below, *applied.unequal_support); });
+  if (codec.switched("given_torque", applied.given_torque))
+    codec.object("given_torque", true, [&](auto& below) { given_torque_keys(below, *applied.given_torque); });
+  if (codec.switched("air_force", applied.air_force))
+    codec.object("air_force", true, [&](auto& below) {
+      below.key("linear_N_s_m", applied.air_force->linear_N_s_m);
+      below.key("quadratic_N_s2_m2", applied.air_force->quadratic_N_s2_m2);
+    });
   if (codec.takes("select", effects.automatic)) {
     codec.literal("select", "auto");
     if constexpr (!Codec::kWrites) effects.automatic = true;

@@ -23,6 +23,8 @@ class Reading {
 
   /// Returns whether the text uses the variant with this key. @param held  whether the members do; only `Writing` uses it
   bool takes(std::string_view key, bool /*held*/) const { return section_.has(key); }
+  /// The same, of a key that takes a number or an array.
+  bool takes_array(std::string_view key, bool /*held*/) const { return section_.is_array(key); }
   bool is_object(std::string_view key) const { return section_.is_object(key); }
   bool is_word(std::string_view key) const { return section_.is_word(key); }
 

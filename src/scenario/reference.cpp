@@ -50,6 +50,7 @@ bool belongs(std::string_view pattern, std::string_view key, const Json& given) 
     return !given.contains("step_s") && given.value("method", "") != "closed_form" &&
            given.value("precision", "double") == "double";
   if (given.contains("law")) return allowed_by(kContactLaws, kContactLawKeys, given.at("law"), key);
+  if (given.contains("axes")) return allowed_by(kTorqueCourses, kCourseKeys, given.value("course", "constant"), key);
   if (given.contains("axial_kg_m2")) return allowed_by(kDriveRules, kDriveKeys, given.value("drive", "none"), key);
   if (given.contains("motion") && given.at("motion").is_string())
     return allowed_by(kMotionRules, kMotionKeys, given.at("motion"), key);

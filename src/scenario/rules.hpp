@@ -102,6 +102,21 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
 
+inline constexpr std::array kTorqueAxes = {Word<TorqueAxes>{"body", TorqueAxes::body},
+                                           Word<TorqueAxes>{"laboratory", TorqueAxes::laboratory}};
+/// The keys that a given torque's course must and may have.
+struct CourseRule {
+  std::string_view word;
+  TorqueCourse value;
+  std::string_view required, allowed;  ///< members of kCourseKeys, separated by '|'
+};
+inline constexpr std::string_view kCourseKeys = "torque_N_m|frequency_hz|phase_deg|file|file_sha256";
+inline constexpr std::array kTorqueCourses = {
+    CourseRule{"constant", TorqueCourse::constant, "torque_N_m", "torque_N_m"},
+    CourseRule{"harmonic", TorqueCourse::harmonic, "torque_N_m|frequency_hz", "torque_N_m|frequency_hz|phase_deg"},
+    CourseRule{"table", TorqueCourse::table, "file", "file|file_sha256"},
+};
+
 /// The keys that a rotor's drive must and may have. A table has the rate at release, too. The bearing's friction belongs to a rotor without a drive.
 struct DriveRule {
   std::string_view word;

@@ -20,6 +20,8 @@ std::vector<const FiledTable*> tables_of(const Scenario& scenario) {
   if (scenario.rotor && scenario.rotor->table.rows) tables.push_back(&scenario.rotor->table);
   for (const MovingMassSpec& mass : scenario.moving_masses)
     if (mass.coordinates[0].rows) tables.push_back(&mass.coordinates[0]);
+  if (const auto& given = scenario.effects.applied.given_torque; given && given->components[0].rows)
+    tables.push_back(&given->components[0]);
   return tables;
 }
 

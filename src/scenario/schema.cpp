@@ -226,6 +226,9 @@ Json rules_of(std::string_view pattern) {
     return Json::array(
         {{{"properties", {{"start_utc", {{"pattern", "^\\d{4}-\\d{2}-\\d{2}T\\d{2}:\\d{2}:\\d{2}([.]\\d+)?Z$"}}}}}}});
   if (pattern == "/effects/tide") return Json::array({tide_rule()});
+  if (pattern == "/effects/unequal_support") return Json::array({exactly_one("kappa_N_m|periods_s")});
+  if (pattern == "/effects/given_torque")
+    return rules_of_words("course", kTorqueCourses, kCourseKeys, kTorqueCourses.front().word);
   if (pattern == "/platform") return platform_rules();
   if (pattern == "/rotor") return rotor_rules();
   if (pattern == "/moving_masses/*") return rules_of_words("motion", kMassMotionRules, kMassMotionKeys);

@@ -73,7 +73,7 @@ static_assert(supports_are_in_order());
 bool is_caged_top(const Scenario& s) {
   if (!has_symmetric_cage(s) || s.contact || s.gimbals || s.numerics.form == ModelForm::general) return false;
   const AppliedTorquesSpec& applied = s.effects.applied;
-  return !applied.friction() && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
+  return !applied.friction() && !applied.given_torque && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
 }
 
 bool masses_move(const Scenario& s) { return std::ranges::any_of(s.moving_masses, &MovingMassSpec::moves); }

@@ -18,6 +18,7 @@ class Writing {
   explicit Writing(Json& json) : json_(json) {}
 
   bool takes(std::string_view /*key*/, bool held) const { return held; }
+  bool takes_array(std::string_view /*key*/, bool held) const { return held; }
 
   template <class T>
   void key(std::string_view key, const T& member) {

@@ -64,6 +64,17 @@ double braking_rate(const ContactSpec& spec, const OnTable& top) {
   return arm > 0 ? arm * top.mass * top.gravity / (top.least * spec.regularisation_rad_s) : 0;
 }
 
+/// Returns the rate at which the air brakes the fastest turn or the centre of mass at release (1/s).
+double air_rate(const Scene& scene, const OnTable& top) {
+  const AirOnTable<double>& air = scene.table<double>().contact.air;
+  if (!air.acts()) return 0;
+  constexpr double kSpeed = 1;  // m/s: no top walks faster
+  const double viscous = air.viscous + std::max({air.viscous_1, air.viscous_2, air.viscous_3});
+  const double spinning = 2 * air.quadratic * top.rate + 2 * air.disc_laminar * std::sqrt(top.rate) +
+                          2 * air.disc_turbulent * real::pow(top.rate, 0.8);
+  return (viscous + spinning) / top.least + (air.force + 2 * air.force_by_speed * kSpeed) / top.mass;
+}
+
 /// Returns the integral over the time of the rate at which a slip dies out, for the law `contensou`, where it grows as the patch
 /// brakes the spin.
 double slip_damping(const Scene& scene, const OnTable& top, double rate) {
@@ -110,14 +121,15 @@ Paced TableLaws::paced(const Scene& scene) const {
   pace.turning_rad = std::max(1.0, (std::max(top.rate, top.momentum / top.least) + carried) * time);
   pace.watched_angle_rad = scene.fastest_rate_rad_s() * time;
   const double slipping = std::isfinite(given) ? slip_damping(scene, top, slip) : slip * time;
-  pace.damping = slipping + braking * time;
+  const double air = air_rate(scene, top);
+  pace.damping = slipping + (braking + air) * time;
   pace.reduced_damping = pace.damping;
   pace.reduced_turning_rad =
       top.axis == 2 ? std::min(pace.turning_rad, std::max(1.0, (top.momentum / top.nutating(spec.law) + carried) * time))
                     : pace.turning_rad;
   const std::string_view moments =
       spec.spinning_friction_m > 0 ? "/contact/spinning_friction_m" : "/contact/rolling_resistance_m";
-  return {pace, {slip >= braking ? pointer_of(spec.law) : moments, pace.damping}};
+  return {pace, {slip >= braking && slip >= air ? pointer_of(spec.law) : braking >= air ? moments : "/effects", pace.damping}};
 }
 
 }  // namespace earthtop

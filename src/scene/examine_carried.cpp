@@ -10,6 +10,18 @@
 
 namespace earthtop {
 
+/// Checks that the periods of an unequal support are those of a pendulum: by them its stiffness is found.
+void PivotLaws::check(const input::Section& root, const Scene& scene) const {
+  const auto& support = scene.scenario().effects.applied.unequal_support;
+  if (!support || !support->periods_s) return;
+  if (scene.symmetry_axis() == 2 && scene.axial_gravity_torque_N_m() != 0) return;
+  root.section("effects")
+      .section("unequal_support")
+      .refuse("periods_s",
+              "are those of a pendulum that is symmetric about body axis 3, with its centre of mass on it, under gravity; give "
+              "kappa_N_m");
+}
+
 void PlatformLaws::check(const input::Section& root, const Scene& scene) const {
   const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
   const auto refuse = [&](const char* key) {

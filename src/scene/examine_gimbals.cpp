@@ -65,10 +65,12 @@ void SuspensionLaws::check(const input::Section& root, const Scene& scene) const
     if (is_given) given.refuse_key(key, std::string("is not available with /gimbals: ") + why + "; leave one of the two out");
   };
   constexpr const char* kBearings = "it is friction of a pivot, and gimbals have bearings with friction of their own";
-  refuse("viscous_torque_N_m_s", effects.applied.viscous_N_m_s != 0, kBearings);
+  refuse("viscous_torque_N_m_s", effects.applied.viscous_N_m_s != 0 || effects.applied.viscous_by_axis_N_m_s, kBearings);
   refuse("quadratic_torque_N_m_s2", effects.applied.quadratic_N_m_s2 != 0, kBearings);
   refuse("coulomb_torque_N_m", effects.applied.coulomb_N_m != 0, kBearings);
   refuse("air_drag", effects.applied.air_drag.has_value(), "it is the drag of a disc that spins about body axis 3 itself");
+  refuse("unequal_support", effects.applied.unequal_support.has_value(), "a gimbal's springs are its torsion_N_m_rad");
+  refuse("given_torque", effects.applied.given_torque.has_value(), "it acts on a body about a pivot");
   refuse("gimbal", effects.applied.gimbal.has_value(), "it holds a rigid wheel without moments of its own");
   constexpr const char* kWhole = "the torques of parts that move belong to all three";
   refuse("coriolis", !effects.coriolis, kWhole);

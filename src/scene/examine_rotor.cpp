@@ -11,6 +11,7 @@
 namespace earthtop {
 
 void RotorLaws::check(const input::Section& root, const Scene& scene) const {
+  PivotLaws::check(root, scene);
   const Scenario& scenario = scene.scenario();
   const EffectsSpec& effects = scenario.effects;
   const input::Section given = root.section("effects");

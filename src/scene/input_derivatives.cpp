@@ -35,6 +35,7 @@ Numbers numbers_at(const Scene& scene, std::size_t input, double step, float128&
                     contact ? make_release_on_table<float128>(release, *contact, body, scene.site())
                             : make_release<float128>(release, body, float128(scene.site().gravity_m_s2))};
     if (contact) numbers.table = in_units(table_of(scene, body), scene.units());
+    put_support(numbers.model, scene.scenario().effects.applied);
     return numbers;
   }
   MovedScenario moved = with_moved_input(scene, input, step);
@@ -59,21 +60,22 @@ Eigen::Matrix<double, rows, columns> quotient(const Eigen::Matrix<float128, rows
   return q;
 }
 
-/// The change of the applied torques, each of which is proportional to its coefficient.
+/// The change of the applied torques' coefficients.
 AppliedTorques<double> difference(const AppliedTorques<float128>& high, const AppliedTorques<float128>& low,
                                   const Mat3<double>& gradient_L, float128 step) {
   AppliedTorques<double> d;
   d.any = !gradient_L.isZero(0);
   using Gradient = std::array<GradientTerm<float128>, 2>;
-  const auto divide = ByKind{[&](float128 a, float128 b, double& quotient_made) {
-                               quotient_made = quotient(a, b, step);
-                               d.any = d.any || quotient_made != 0;
-                             },
-                             [&](const Gradient&, const Gradient&, std::array<GradientTerm<double>, 2>& terms) {
-                               if (!gradient_L.isZero(0)) terms = gradient_terms(gradient_L);
-                             },
-                             [](bool, bool, bool&) {}};  // an input changes strengths alone
-  for_each_member(divide, high, low, d);
+  for_each_coefficient(
+      [&](float128 a, float128 b, double& quotient_made) {
+        quotient_made = quotient(a, b, step);
+        d.any = d.any || quotient_made != 0;
+      },
+      [&](const Gradient&, const Gradient&, std::array<GradientTerm<double>, 2>& terms) {
+        if (!gradient_L.isZero(0)) terms = gradient_terms(gradient_L);
+      },
+      high, low, d);  // an input changes numbers alone
+  d.given.acts = high.given.acts, d.given.in_laboratory = high.given.in_laboratory;
   return d;
 }
 

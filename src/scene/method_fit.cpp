@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "drift/given_impulse.hpp"
 #include "earthtop/closed_form/exact_motion.hpp"
 #include "earthtop/model/model.hpp"
 #include "earthtop/model/reduced_torques.hpp"
@@ -133,6 +134,7 @@ std::optional<std::string> PivotLaws::refuse(const MethodRow& row, const Scene& 
   if (!torques.has_corner()) return std::nullopt;
   const double carrier_rate = scene.platform_demand().rate_rad_s + std::abs(scene.rotation_rate_rad_s());
   if (scene.symmetry_axis() == 2 && scene.is_reducible_when_driven() &&
+      given_torque_keeps_spin(torques.given, scene.body<double>().I_BP_B(2, 2), w3, scene.scenario().duration_s) &&
       friction_stays_smooth(torques, scene.body<double>().I_BP_B(2, 2), w3, carrier_rate, scene.fastest_rate_rad_s(),
                             scene.scenario().duration_s))
     return std::nullopt;

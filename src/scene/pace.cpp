@@ -122,6 +122,25 @@ double gradient_torque(const Scene& scene, const Released& top) {
   return strength * (top.largest() - top.least());
 }
 
+/// What an unequal support and a given torque do at most: the torque that holds the axis (N m), and the rate that a torque
+/// gives a body within the run (rad/s) or with which it changes.
+struct FurtherDemand {
+  double support_N_m = 0, given_rate_rad_s = 0;
+
+  FurtherDemand(const Scene& scene, double least_moment) {
+    const AppliedTorquesSpec& spec = scene.scenario().effects.applied;
+    if (spec.unequal_support) support_N_m = scene.model<double>().applied.support.largest();
+    if (!spec.given_torque) return;
+    const auto& [x, y, z] = spec.given_torque->torque_N_m;
+    double torque = real::hypot(x, y, z);
+    for (const FiledTable& component : spec.given_torque->components)
+      if (component.rows)
+        for (const double value : component.rows->value) torque += std::abs(value);
+    given_rate_rad_s =
+        torque * scene.scenario().duration_s / least_moment + 2 * std::numbers::pi * std::abs(spec.given_torque->frequency_hz);
+  }
+};
+
 /// A rate w that friction of torque c |w|^(n + 1) alone reduces, in a body of moment I: dw/dt = -r w^(n+1), r = c / I.
 struct Braking {
   double r, n;
@@ -150,6 +169,11 @@ class FrictionPace {
     turned_ = rate_ * time_;
     swung_s_ = time_;
     if (applied.viscous_N_m_s > 0) viscous(applied.viscous_N_m_s, top.least(), top.largest());
+    if (const auto& k = applied.viscous_by_axis_N_m_s) {
+      const auto [least, most] = std::ranges::minmax(*k);
+      if (most > 0) damp("/effects/viscous_torque_N_m_s", most / top.least() * time_);
+      if (least > 0) brake(least, top.largest());
+    }
     if (applied.gimbal && applied.gimbal->damping_N_m_s > 0) {
       const double across = std::min(top.body.I_BP_B(0, 0), top.body.I_BP_B(1, 1));
       damp("/effects/gimbal", applied.gimbal->damping_N_m_s / across * time_);
@@ -178,6 +202,9 @@ class FrictionPace {
 
   void viscous(double k, double least, double largest) {
     damp("/effects/viscous_torque_N_m_s", k / least * time_);
+    brake(k, largest);
+  }
+  void brake(double k, double largest) {
     turned_ = std::min(turned_, Braking{k / largest, 0}.turned(rate_, time_));
     // An overdamped pendulum creeps and does not swing.
     swung_s_ = std::min(swung_s_, kSeen * largest / k);
@@ -238,7 +265,8 @@ class FrictionPace {
 struct Driven {
   Released top;
   PlatformDemand platform;
-  double gravity_torque, gradient;  ///< largest torques (N m)
+  double gravity_torque, gradient;  ///< largest torques (N m); an unequal support's is counted with gravity's
+  double given_rate;                ///< by a given torque (rad/s)
 
   explicit Driven(const Scene& scene) : top(scene) {
     // A platform affects the body only if the pivot is off the platform's centre, or through friction or a gimbal.
@@ -246,12 +274,14 @@ struct Driven {
     const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
     const bool felt = carrier && (carrier->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
     if (felt) platform = scene.platform_demand();
-    gravity_torque = scene.gravity_torque_N_m(platform.acceleration_m_s2);
+    const FurtherDemand further(scene, top.least());
+    gravity_torque = scene.gravity_torque_N_m(platform.acceleration_m_s2) + further.support_N_m;
+    given_rate = further.given_rate_rad_s;
     gradient = gradient_torque(scene, top);
   }
   double swinging_rate() const { return falling_rate(gravity_torque, top.swinging()) + falling_rate(gradient, top.swinging()); }
   FrictionPace friction(const Scene& scene) const {
-    return {scene, top, top.turning_rate(), platform.rate_rad_s, gravity_torque + gradient};
+    return {scene, top, top.turning_rate() + given_rate, platform.rate_rad_s, gravity_torque + gradient};
   }
 };
 
@@ -260,7 +290,8 @@ struct Driven {
 double turned_without_spin(const Scene& scene, const Driven& driven, const FrictionPace& friction) {
   const double time = scene.scenario().duration_s, unbraked = driven.top.turning_rate() * time;
   const double braked_s = unbraked > 0 ? std::min(1.0, friction.turned_rad() / unbraked) * time : time;
-  return driven.top.momentum / driven.top.body.I_BP_B(0, 0) * braked_s + driven.swinging_rate() * friction.swung_s() +
+  return driven.given_rate * time + driven.top.momentum / driven.top.body.I_BP_B(0, 0) * braked_s +
+         driven.swinging_rate() * friction.swung_s() +
          (std::abs(scene.rotation_rate_rad_s()) + driven.platform.rate_rad_s) * time;
 }
 /// Returns the rate of a wheel whose axis a gimbal keeps level (rad/s): that of its turn about Up, driven by the Earth.
@@ -327,9 +358,11 @@ double PivotLaws::fastest_rate(const Scene& scene) const {
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> moments(inertia, Eigen::EigenvaluesOnly);
   const double least_moment = moments.eigenvalues()[0];
   const PlatformDemand& platform = scene.platform_demand();
-  const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2);
+  const FurtherDemand further(scene, least_moment);
+  const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2) + further.support_N_m;
   const double rate = norm(Vec3<double>(inertia * scene.release<double>().w_XB_B + rotor_momentum(scene))) / least_moment +
-                      2 * std::sqrt(torque / least_moment) + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
+                      further.given_rate_rad_s + 2 * std::sqrt(torque / least_moment) + std::abs(scene.rotation_rate_rad_s()) +
+                      platform.rate_rad_s;
   return std::max(rate, 1 / scene.scenario().duration_s);
 }
 
@@ -339,10 +372,12 @@ double MassLaws::fastest_rate(const Scene& scene) const {
   const double least_moment = moments.eigenvalues()[0];
   const PlatformDemand& platform = scene.platform_demand();
   const double torque = scene.gravity_torque_N_m(platform.acceleration_m_s2) +
-                        masses.moment_kg_m * (std::abs(scene.site().gravity_m_s2) + platform.acceleration_m_s2);
+                        masses.moment_kg_m * (std::abs(scene.site().gravity_m_s2) + platform.acceleration_m_s2) +
+                        FurtherDemand(scene, least_moment).support_N_m;
   const Vec3<double> momentum = scene.body<double>().I_BP_B * scene.release<double>().w_XB_B + rotor_momentum(scene);
   const double rate = (norm(momentum) + masses.momentum_kg_m2_s) / least_moment + 2 * std::sqrt(torque / least_moment) +
-                      masses.rate_rad_s + std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
+                      masses.rate_rad_s + FurtherDemand(scene, least_moment).given_rate_rad_s +
+                      std::abs(scene.rotation_rate_rad_s()) + platform.rate_rad_s;
   return std::max(rate, 1 / scene.scenario().duration_s);
 }
 
@@ -388,8 +423,8 @@ Paced PivotLaws::paced(const Scene& scene) const {
     const bool level = scenario.effects.applied.gimbal.has_value();
     const double turned = level ? compass_rate(scene, driven) * time : turned_without_spin(scene, driven, friction);
     pace.reduced_turning_rad = std::min(pace.turning_rad, std::max(1.0, turned));
-    const double unbraked =
-        level ? compass_rate(scene, driven) : driven.top.momentum / driven.top.body.I_BP_B(0, 0) + swinging + carried;
+    const double unbraked = level ? compass_rate(scene, driven)
+                                  : driven.top.momentum / driven.top.body.I_BP_B(0, 0) + swinging + carried + driven.given_rate;
     pace.axis_rate_rad_s = std::min(pace.axis_rate_rad_s, std::max(unbraked, 1 / time));
   }
   return {pace, friction.stiffest()};

@@ -43,6 +43,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
   if (effects.applied.any() && !scene.support().has_contact) {
     model.applied = make_applied_torques<T>(effects.applied, scene.site(), scene.release<double>().w_XB_B[2],
                                             units.mass_exponent, units.time_exponent);
+    put_support(model, effects.applied);
     model.kind = SceneKind::full;
   }
   if (effects.tide) {

@@ -89,8 +89,8 @@ const TopFigures& Scene::top() const {
 bool Scene::is_reducible_when_driven() const {
   const EffectsSpec& effects = scenario().effects;
   if (!effects.all_on() || support().has_moving_parts()) return false;
-  if (effects.applied.gimbal) return symmetry_axis() == 2 && !scenario().platform;
-  return symmetry_axis() == 2 || (symmetry_axis() >= 0 && !effects.applied.air_drag);
+  if (effects.applied.gimbal && (symmetry_axis() != 2 || scenario().platform)) return false;
+  return symmetry_axis() >= 0 && model<double>().applied.is_symmetric_about(symmetry_axis());
 }
 bool Scene::is_one_motion() const {
   return rotation_rate_rad_s() == 0 || scenario().release.rates_relative_to == RatesRelativeTo::inertial;

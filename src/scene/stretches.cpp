@@ -86,9 +86,10 @@ struct StepRate {
 /// The torques of friction and of a gimbal's damping, `times` as strong.
 template <class T>
 void strengthen_friction(AppliedTorques<T>& applied, double times) {
-  const auto strengthen =
-      ByKind{[times](T& coefficient) { coefficient *= T(times); }, [](std::array<GradientTerm<T>, 2>&) {}, [](bool&) {}};
-  for_each_member(strengthen, applied);
+  const SupportStiffness<T> support = applied.support;
+  const GivenTorque<T> given = applied.given;
+  for_each_coefficient([times](T& coefficient) { coefficient *= T(times); }, [](std::array<GradientTerm<T>, 2>&) {}, applied);
+  applied.support = support, applied.given = given;
 }
 
 /// Looks at the stretches of one scene.

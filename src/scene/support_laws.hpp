@@ -17,7 +17,7 @@ class PivotLaws {
   virtual ~PivotLaws() = default;
 
   /// Refuses what the support does not allow in the rest of a scenario, and warns of numbers of its own that look like mistakes.
-  virtual void check(const input::Section&, const Scene&) const {}
+  virtual void check(const input::Section& root, const Scene& scene) const;
   virtual void warn(const input::Section&, const Scene&) const {}
 
   /// Shortens the unit of time where the motion is faster than body, release and Earth alone tell.

@@ -53,6 +53,8 @@ std::optional<double> rim_speed(const BodySpec& spec, double rate_rad_s) {
 
 /// Why no rate of precession, nutation or critical spin is given whatever the body is; empty where there may be one.
 std::string_view why_not_a_top_on_a_pivot(const Scenario& scenario) {
+  if (scenario.effects.applied.unequal_support)
+    return "precession, nutation and critical spin: the support is not equally stiff, so that gravity is not the only torque";
   if (scenario.effects.applied.gimbal) return "precession, nutation and critical spin: the gimbal holds the axis level";
   if (scenario.platform && scenario.platform->pivot_offset_m != std::array<double, 3>{})
     return "precession, nutation and critical spin: the platform carries the pivot round, so that gravity is not the only "
@@ -231,6 +233,8 @@ void PivotLaws::add_figures(TopFigures& top, const Scene& scene, double cosine) 
   }
   if (scene.scenario().effects.applied.friction() && top.nutation_rad_s)
     top.notes.emplace_back("the rates are those at release, without friction");
+  if (scene.scenario().effects.applied.given_torque && top.nutation_rad_s)
+    top.notes.emplace_back("the rates are those at release, without the given torque");
 }
 
 std::optional<double> period_of(const std::optional<double>& rate_rad_s) {

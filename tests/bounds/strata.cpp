@@ -244,6 +244,44 @@ Scenario with_effects(Random& random) {
     s.effects.tide = TideSpec{true, {}, {random.uniform(-1, 1), random.uniform(-1, 1), 0.1}, random.log_uniform(0.01, 10), 30};
   return s;
 }
+/// A support from a thousandth of gravity's torque to three times it: on hanging pendulums on their ellipses, and on any other
+/// body.
+Scenario unequal_support(Random& random) {
+  Scenario s = random.coin() ? pendulum(random) : random.coin() ? symmetric_top(random) : asymmetric_body(random);
+  if (!s.release.angular_velocity_body_rad_s && s.release.spin_rad_s == 0 && random.coin())
+    s.release.spin_rad_s = random.sign() * random.log_uniform(3, 1e3);
+  UnequalSupportSpec& support = s.effects.applied.unequal_support.emplace();
+  const double weight = s.body.mass_kg * s.site.gravity_m_s2 * norm(make_body<double>(s.body).p_PBcm_B);
+  support.kappa_N_m = random.sign() * weight * random.log_uniform(1e-3, 3);
+  support.azimuth_deg = random.uniform(-180, 180);
+  return s;
+}
+/// A torque from a thousandth of gravity's to three times it, in either axes, constant or harmonic.
+Scenario given_torque(Random& random) {
+  Scenario s = random.coin() ? symmetric_top(random) : asymmetric_body(random);
+  s.release.spin_rad_s = random.sign() * random.log_uniform(3, 1e3);
+  GivenTorqueSpec& given = s.effects.applied.given_torque.emplace();
+  given.axes = random.coin() ? TorqueAxes::body : TorqueAxes::laboratory;
+  const double size =
+      s.body.mass_kg * s.site.gravity_m_s2 * norm(make_body<double>(s.body).p_PBcm_B) * random.log_uniform(1e-3, 3);
+  const bool along_axis = random.coin();
+  for (double& part : given.torque_N_m) part = along_axis ? 0 : size * random.uniform(-1, 1);
+  if (along_axis) given.torque_N_m[2] = size;
+  if (random.coin()) {
+    given.course = TorqueCourse::harmonic;
+    given.frequency_hz = random.log_uniform(0.01, 30), given.phase_deg = random.uniform(-180, 180);
+  }
+  return s;
+}
+Scenario friction_by_axes(Random& random) {
+  Scenario s = random.coin() ? symmetric_top(random) : asymmetric_body(random);
+  const double rate = random.sign() * random.log_uniform(3, 1e3), I3 = numbers(s).I3;
+  s.release.angular_velocity_body_rad_s = {rate * random.uniform(-0.2, 0.2), rate * random.uniform(-0.2, 0.2), rate};
+  std::array<double, 3>& k = s.effects.applied.viscous_by_axis_N_m_s.emplace();
+  for (double& one : k) one = I3 * random.log_uniform(1e-4, 3);
+  if (random.coin()) k[1] = k[0];
+  return s;
+}
 /// A gyrocompass in motion, not a settled one: its spin is fast compared with the effect of its damping.
 Scenario level_gimbal(Random& random) {
   Scenario s = any_spin(random);
@@ -337,6 +375,9 @@ constexpr Stratum kStrata[] = {
     {"dry friction, asymmetric", dry_asymmetric, true},
     {"torques left out", torques_left_out, true},
     {"Fourier sums", fourier_sums},
+    {"unequal support", unequal_support, true},
+    {"given torque", given_torque, true},
+    {"friction of body axes apart", friction_by_axes, true},
 };
 
 /// A random one of the methods that a user may name for this scene.

@@ -144,6 +144,24 @@ Scenario rolling(Random& random) {
   return s;
 }
 
+/// Any law but that with corners, in air that takes some of the spin and of the walk.
+Scenario in_air(Random& random) {
+  constexpr Scenario (*kLaws[])(Random&) = {frictionless, viscous, viscous_load, smooth_coulomb, contensou, rolling};
+  Scenario s = kLaws[static_cast<std::size_t>(random.uniform(0, std::size(kLaws)))](random);
+  AppliedTorquesSpec& applied = s.effects.applied;
+  const double moment = s.body.inertia_kg_m2[2][2], mass = s.body.mass_kg;
+  if (random.coin())
+    applied.viscous_N_m_s = moment * random.log_uniform(1e-4, 1);
+  else
+    applied.viscous_by_axis_N_m_s = {moment * random.log_uniform(1e-4, 1), moment * random.log_uniform(1e-4, 1),
+                                     moment * random.log_uniform(1e-4, 1)};
+  if (applied.viscous_by_axis_N_m_s && random.coin()) (*applied.viscous_by_axis_N_m_s)[1] = (*applied.viscous_by_axis_N_m_s)[0];
+  if (random.coin()) applied.quadratic_N_m_s2 = moment * random.log_uniform(1e-6, 1e-2);
+  if (random.coin()) applied.air_drag = AirDragSpec{random.uniform(0.01, 0.06)};
+  applied.air_force = AirForceSpec{mass * random.log_uniform(1e-3, 1), random.coin() ? mass * random.log_uniform(1e-3, 1) : 0};
+  return s;
+}
+
 constexpr Stratum kTableStrata[] = {
     {"frictionless", frictionless, true},
     {"viscous", viscous, true},
@@ -152,6 +170,7 @@ constexpr Stratum kTableStrata[] = {
     {"coulomb, exact", exact_coulomb, true},
     {"contensou", contensou, true},
     {"rolling", rolling, true},
+    {"in air", in_air, true},
 };
 
 /// Whether a scenario is one that a run takes.

@@ -112,14 +112,28 @@ Vec Motion::tip_L() const {
   return headlines::turned(scene_->celestial_axis, -rate_ * t_, tip_I);
 }
 
+Vec Motion::acting_torque_I(Real t, const Mat& R_IB, const Vec& w) const {
+  const Acting& acting = scene_->acting;
+  const auto from_laboratory = [&](const Vec& v) { return headlines::turned(scene_->celestial_axis, rate_ * t, v); };
+  const Vec w_B = transposed(R_IB) * (w - rate_ * scene_->celestial_axis), n = R_IB * Vec{0, 0, 1};
+  Vec torque = R_IB * Vec{-acting.friction.x * w_B.x, -acting.friction.y * w_B.y, -acting.friction.z * w_B.z};
+  // A spring pulls the end of a unit axis along e.
+  const Vec e = from_laboratory(acting.stiff_direction);
+  torque += cross(n, (-acting.stiffness * dot(n, e)) * e);
+  const Real course = acting.torque_oscillates ? sinq(2 * pi() * acting.frequency * t + acting.phase) : 1;
+  torque += course * (acting.torque_of_body ? R_IB * acting.torque : from_laboratory(acting.torque));
+  return torque;
+}
+
 State Motion::slope(Real t, const State& state) const {
   if (scene_->contact) return slope_on_table(t, state);
   if (scene_->gimbals) return slope_in_gimbals(t, state);
   const Mat R_IB = matrix(state.q_IB);
-  State slope{state.q_IB * Quat{0, Real(0.5) * angular_velocity(t, state)},
-              cross(R_IB * scene_->mass_moment_at(t), falling_I(t)),
-              {},
-              {}};
+  State slope{
+      state.q_IB * Quat{0, Real(0.5) * angular_velocity(t, state)},
+      cross(R_IB * scene_->mass_moment_at(t), falling_I(t)) + acting_torque_I(t, R_IB, R_IB * angular_velocity(t, state)),
+      {},
+      {}};
   if (!scene_->rotor) return slope;
   slope.rotor_angle = rotor_rate(t, state);
   slope.rotor_momentum = scene_->rotor->bearing.torque(0, slope.rotor_angle);

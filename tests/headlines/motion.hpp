@@ -47,6 +47,9 @@ class Motion {
  private:
   State slope(Real t, const State& state) const;  ///< time derivative of the state
   State slope_on_table(Real t, const State& state) const;
+  /// The torque of what acts beside gravity, about the pivot, on a table about the centre of mass.   @param w  inertial rate;
+  /// all in inertial axes
+  Vec acting_torque_I(Real t, const Mat& R_IB, const Vec& w) const;
   State slope_in_gimbals(Real t, const State& state) const;
   /// How far a step may be off: the largest of the quantities that try_step names.
   Real size_of(const State& error, Real scale) const;

@@ -235,6 +235,34 @@ void read_contact(const Json& json, const std::string& file, Scene& scene) {
   scene.contact = contact;
 }
 
+void read_effects(const Json& json, const std::string& file, Scene& scene) {
+  Acting& acting = scene.acting;
+  for (const auto& [effect, value] : json.items()) {
+    const auto only = [&, name = effect](const Json& object, const std::string& keys) {
+      for (const auto& [key, ignored] : object.items())
+        if (keys.find('|' + key + '|') == std::string::npos)
+          throw std::runtime_error(file + ": " + name + "/" + key + " is beyond this program");
+    };
+    if (effect == "viscous_torque_N_m_s") {
+      const Real one = value.is_number() ? value.get<double>() : 0.0;
+      acting.friction = value.is_number() ? Vec{one, one, one} : vector(value);
+    } else if (effect == "unequal_support") {
+      only(value, "|kappa_N_m|azimuth_deg|");
+      const SinCos azimuth = sin_cos_degrees(value.value("azimuth_deg", 0.0));
+      acting.stiffness = value.at("kappa_N_m").get<double>(), acting.stiff_direction = {azimuth.sin, azimuth.cos, 0};
+    } else if (effect == "given_torque") {
+      only(value, "|axes|course|torque_N_m|frequency_hz|phase_deg|");
+      acting.torque = vector(value.at("torque_N_m")), acting.torque_of_body = value.at("axes") == "body";
+      acting.torque_oscillates = value.value("course", "constant") == "harmonic";
+      acting.frequency = value.value("frequency_hz", 0.0), acting.phase = value.value("phase_deg", 0.0) * pi() / 180;
+    } else if (effect == "air_force") {
+      acting.drag = value.value("linear_N_s_m", 0.0), acting.drag_by_speed = value.value("quadratic_N_s2_m2", 0.0);
+    } else if (value != true) {
+      throw std::runtime_error(file + ": the effect " + effect + " is beyond this program");
+    }
+  }
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& file) {
@@ -242,9 +270,7 @@ Scene read_scene(const std::string& file) {
   const Json json = Json::parse(stream);
   Scene scene;
   scene.name = json.value("name", std::filesystem::path(file).stem().string());
-  const Json effects = json.value("effects", Json::object());
-  for (const auto& [effect, on] : effects.items())
-    if (on != true) throw std::runtime_error(file + ": the effect " + effect + " is beyond this program");
+  read_effects(json.value("effects", Json::object()), file, scene);
   if (json.at("body").contains("solids")) throw std::runtime_error(file + ": solids are beyond this program");
   read_site(json, scene);
   if (json.contains("contact")) read_contact(json.at("contact"), file, scene);

@@ -77,6 +77,19 @@ struct MovingMass {
   Place place(Real t) const;
 };
 
+/// What acts beside gravity: friction of the body axes, a support that is stiffer along a horizontal direction, a torque that
+/// is given, and on a table the force of the air. Rates and velocities are those relative to the laboratory.
+struct Acting {
+  Vec friction;                      ///< torque over the rate about each body axis (N m s)
+  Real stiffness = 0;                ///< kappa of the energy kappa (n.e)^2 / 2 (N m)
+  Vec stiff_direction;               ///< e, unit, laboratory axes
+  Vec torque;                        ///< its amplitude (N m)
+  bool torque_of_body = true;        ///< else of the laboratory
+  bool torque_oscillates = false;    ///< as sin(2 pi frequency t + phase)
+  Real frequency = 0, phase = 0;     ///< Hz, rad
+  Real drag = 0, drag_by_speed = 0;  ///< force over the velocity (N s/m), and over its square (N s^2/m^2)
+};
+
 struct Scene {
   std::string name;
   // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
@@ -98,6 +111,7 @@ struct Scene {
   std::optional<Rotor> rotor;
   std::optional<Gimbals> gimbals;
   std::vector<MovingMass> masses;
+  Acting acting;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 

@@ -35,7 +35,11 @@ State Motion::slope_on_table(Real t, const State& state) const {
   const Vec slip = state.V_I + cross(w, s) - cross(W, at_contact);
 
   // Accelerations are linear in the contact's force and moment. With neither of them:
-  const Vec falling = -scene_->gravity * up, turning = solve_inertia(Real(-1) * cross(w, state.L_I));
+  // Below 1 mm/s the air's force is linear.
+  const Vec velocity = state.V_I - cross(W, state.X_I), torque = acting_torque_I(t, R_IB, w);
+  const Acting& acting = scene_->acting;
+  const Real drag = acting.drag + acting.drag_by_speed * sqrtq(dot(velocity, velocity) + Real(1e-3) * Real(1e-3));
+  const Vec falling = -scene_->gravity * up - (drag / m) * velocity, turning = solve_inertia(torque - cross(w, state.L_I));
   const auto acceleration = [&](const Contacting& k) { return (1 / m) * k.force; };
   const auto spin_up = [&](const Contacting& k) { return solve_inertia(cross(s, k.force) + k.moment); };
 
@@ -59,7 +63,7 @@ State Motion::slope_on_table(Real t, const State& state) const {
     const Real normal_force = -free / height_of(acceleration(unit), spin_up(unit));
     table = {normal_force * unit.force, normal_force * unit.moment};
   }
-  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(s, table.force) + table.moment, state.V_I,
+  return {state.q_IB * Quat{0, Real(0.5) * w_IB_B}, cross(s, table.force) + table.moment + torque, state.V_I,
           falling + acceleration(table)};
 }
 

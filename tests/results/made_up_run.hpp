@@ -191,6 +191,7 @@ inline RunResult made_up_full_run() {
   scenario.uncertainty.emplace().fill(1e-3);
   scenario.effects.tide.emplace().given = true;
   scenario.effects.applied = {1e-6, 1e-8, 1e-5, AirDragSpec{}, GravityGradientSpec{GradientField::given, 1e-3}, GimbalSpec{}};
+  scenario.effects.applied.unequal_support.emplace(), scenario.effects.applied.given_torque.emplace();
   result.scene = result.modelled = resolve(std::move(scenario));
   for (std::size_t i = 0; i < result.rows.size(); ++i)
     for (std::size_t k = 0; k < kAppliedShares.size(); ++k)

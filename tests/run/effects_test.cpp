@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "earthtop/model/body.hpp"
 #include "earthtop/results/results.hpp"
@@ -30,7 +32,7 @@ TEST(Effects, WithoutTheTorquesThatActThereIsNoDrift) {
 }
 
 TEST(Effects, AllObserversAndMoreBitsAgree) {
-  for (const Scenario& scene : {busy_scene(), held_rotor()}) {
+  for (const Scenario& scene : {busy_scene(), held_rotor(), testing::apparatus_scene()}) {
     SCOPED_TRACE(scene.name);
     Scenario extended = scene;
     extended.precision = Precision::bits113;
@@ -75,7 +77,8 @@ TEST(Effects, AnEarthThatDoesNotTurnMakesNoDrift) {
   held.duration_s = 0.5, held.output_step_s = 0.1;
   Scenario rubbed = spinning_top();
   rubbed.effects.applied.viscous_N_m_s = 1e-5, rubbed.effects.applied.coulomb_N_m = 4e-3;
-  for (const Scenario& s : {testing::non_rotating(busy_scene()), held, rubbed}) {
+  for (const Scenario& s :
+       {testing::non_rotating(busy_scene()), testing::non_rotating(testing::apparatus_scene()), held, rubbed}) {
     const RunResult result = run(s);
     ASSERT_EQ(result.status, RunStatus::completed);
     for (const DriftRow& row : result.rows) {
@@ -88,8 +91,8 @@ TEST(Effects, AnEarthThatDoesNotTurnMakesNoDrift) {
 }
 
 TEST(Effects, ATinyRatesDriftIsInProportion) {
-  for (const bool gimbal : {false, true}) {
-    Scenario s = gimbal ? gyrocompass(30, 10, 1e-5) : busy_scene();
+  for (const Scenario& scene : {gyrocompass(30, 10, 1e-5), busy_scene(), testing::apparatus_scene()}) {
+    Scenario s = scene;
     s.duration_s = 0.5, s.output_step_s = 0.1;
     s.rotation_rate_rad_s = 1e-300;
     const RunResult tiny = run(s);
@@ -112,7 +115,7 @@ TEST(Effects, EveryObserversLedgerBalances) {
   Scenario rubbed = spinning_top();
   rubbed.rotation_rate_rad_s = 0.01;
   rubbed.effects.applied.coulomb_N_m = 8e-4;  // stops after the end
-  for (const Scenario& scene : {busy_scene(), held, rubbed})
+  for (const Scenario& scene : {busy_scene(), testing::apparatus_scene(), held, rubbed})
     for (const LedgerObserver observer :
          {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform, LedgerObserver::body}) {
       Scenario s = scene;
@@ -126,21 +129,29 @@ TEST(Effects, EveryObserversLedgerBalances) {
 
 // At release the state is the same with and without effects, so the physical torques differ by the sum of the effects' columns.
 TEST(Effects, TheLedgerNamesTheirShares) {
-  Scenario with = busy_scene();
-  with.ledger = LedgerObserver::laboratory;
-  Scenario without = with;
-  without.effects.applied = {};
-  without.effects.tide.reset();
-  const RunResult busy = run(with), plain = run(without);
-  const LedgerRow<double>&a = busy.ledger->entries.front(), &b = plain.ledger->entries.front();
-  const auto vector = [](const std::array<double, 3>& v) { return Vec3<double>(v[0], v[1], v[2]); };
-  Vec3<double> shares = Vec3<double>::Zero();
-  for (const std::array<double, 3>& share : a.share_A) shares += vector(share);
-  EXPECT_GT(norm(shares), 0);
-  EXPECT_LT(norm(Vec3<double>(vector(a.tau_phys_A) - vector(b.tau_phys_A) - shares)), 1e-15 * norm(vector(a.tau_phys_A)));
-  const std::string header = torques_csv(busy).substr(0, torques_csv(busy).find('\n'));
-  EXPECT_TRUE(header.ends_with("tau_friction_x_N_m,tau_friction_y_N_m,tau_friction_z_N_m")) << header;
-  EXPECT_TRUE(torques_csv(plain).find("tau_friction") == std::string::npos);
+  const std::pair<Scenario, std::string> scenes[] = {
+      {busy_scene(), "tau_friction_x_N_m,tau_friction_y_N_m,tau_friction_z_N_m"},
+      {testing::apparatus_scene(),
+       "tau_friction_x_N_m,tau_friction_y_N_m,tau_friction_z_N_m,tau_support_x_N_m,tau_support_y_N_m,tau_support_z_N_m,"
+       "tau_given_x_N_m,tau_given_y_N_m,tau_given_z_N_m"}};
+  for (const auto& [scene, columns] : scenes) {
+    Scenario with = scene;
+    with.ledger = LedgerObserver::laboratory;
+    Scenario without = with;
+    without.effects.applied = {};
+    without.effects.tide.reset();
+    const RunResult busy = run(with), plain = run(without);
+    const LedgerRow<double>&a = busy.ledger->entries.front(), &b = plain.ledger->entries.front();
+    const auto vector = [](const std::array<double, 3>& v) { return Vec3<double>(v[0], v[1], v[2]); };
+    Vec3<double> shares = Vec3<double>::Zero();
+    for (const std::array<double, 3>& share : a.share_A) shares += vector(share);
+    EXPECT_GT(norm(shares), 0);
+    // A few roundings of torques of this size.
+    EXPECT_LT(norm(Vec3<double>(vector(a.tau_phys_A) - vector(b.tau_phys_A) - shares)), 1e-15 * norm(vector(a.tau_phys_A)));
+    const std::string header = torques_csv(busy).substr(0, torques_csv(busy).find('\n'));
+    EXPECT_TRUE(header.ends_with(columns)) << header;
+    EXPECT_TRUE(torques_csv(plain).find("tau_friction") == std::string::npos);
+  }
 }
 
 // A compass swings about North, and a mean over some part of a swing is no trend. One that is released with a turn has a mean rate.

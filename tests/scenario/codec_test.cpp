@@ -49,6 +49,10 @@ constexpr const char* kGimbals =
     "coulomb_torque_N_m": 1, "regularisation_rad_s": 1, "torsion_N_m_rad": 1}})";
 constexpr const char* kGimbalsByMatrix =
     R"({"outer": {"mass_kg": 1, "inertia": {"matrix_kg_m2": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}})";
+constexpr const char* kConstantTorque = R"({"axes": "body", "torque_N_m": [1e-6, 2e-6, 3e-6]})";
+constexpr const char* kHarmonicTorque =
+    R"({"axes": "body", "course": "harmonic", "torque_N_m": [1e-6, 2e-6, 3e-6], "frequency_hz": 1})";
+constexpr const char* kTorqueAsMeasured = R"({"axes": "body", "course": "table", "file": "one_torques.csv"})";
 constexpr const char* kRolls = R"({"tip_radius_m": 0.002, "law": "frictionless", "spinning_friction_m": 1e-5,
     "rolling_resistance_m": 1e-5, "regularisation_rad_s": 0.1})";
 
@@ -214,6 +218,22 @@ const std::map<std::string, Setting>& settings() {
       {"/effects/polar_motion/y_arcsec", {{{"/effects/polar_motion", R"({"x_arcsec": 0, "y_arcsec": 0})"}}}},
       {"/effects/viscous_torque_N_m_s", {{}, "1e-6"}},
       {"/effects/quadratic_torque_N_m_s2", {{}, "1e-9"}},
+      {"/effects/unequal_support/kappa_N_m", {{{"/effects/unequal_support", R"({"kappa_N_m": 1})"}}}},
+      {"/effects/unequal_support/periods_s", {{{"/effects/unequal_support", R"({"periods_s": [1, 2]})"}}}},
+      {"/effects/unequal_support/azimuth_deg", {{{"/effects/unequal_support", R"({"kappa_N_m": 1})"}}}},
+      {"/effects/unequal_support", {{}, R"({"kappa_N_m": 1})"}},
+      {"/effects/given_torque", {{}, kConstantTorque}},
+      {"/effects/given_torque/axes", {{{"/effects/given_torque", kConstantTorque}}, "\"laboratory\""}},
+      {"/effects/given_torque/course",
+       {{{"/effects/given_torque", kConstantTorque}}, "", {{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/effects/given_torque/torque_N_m", {{{"/effects/given_torque", kConstantTorque}}}},
+      {"/effects/given_torque/frequency_hz", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/effects/given_torque/phase_deg", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/effects/given_torque/file", {{{"/effects/given_torque", kTorqueAsMeasured}}, "\"other_torques.csv\""}},
+      {"/effects/given_torque/file_sha256", {{{"/effects/given_torque", kTorqueAsMeasured}}, "SHA256 OF ONE", {}, true}},
+      {"/effects/air_force", {{{"/contact", kRolls}}, R"({"linear_N_s_m": 0.1})"}},
+      {"/effects/air_force/linear_N_s_m", {{{"/contact", kRolls}, {"/effects/air_force", R"({"quadratic_N_s2_m2": 0.1})"}}}},
+      {"/effects/air_force/quadratic_N_s2_m2", {{{"/contact", kRolls}, {"/effects/air_force", R"({"linear_N_s_m": 0.1})"}}}},
       {"/effects/coulomb_torque_N_m", {{}, "1e-6"}},
       {"/effects/air_drag", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
       {"/effects/air_drag/disc_radius_m", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}, "0.03"}},
@@ -222,6 +242,20 @@ const std::map<std::string, Setting>& settings() {
       {"/numerics/step_s", {{{"/numerics/method", "gauss"}}, "1e-3"}},
       {"/numerics/composition", {{{"/numerics/method", "splitting"}}}},
       {"/uncertainty/viscous_torque_N_m_s", {{{"/effects/viscous_torque_N_m_s", "1e-6"}}}},
+      {"/uncertainty/viscous_torque_1_N_m_s", {{{"/effects/viscous_torque_N_m_s", "[1e-6, 2e-6, 3e-6]"}}}},
+      {"/uncertainty/viscous_torque_2_N_m_s", {{{"/effects/viscous_torque_N_m_s", "[1e-6, 2e-6, 3e-6]"}}}},
+      {"/uncertainty/viscous_torque_3_N_m_s", {{{"/effects/viscous_torque_N_m_s", "[1e-6, 2e-6, 3e-6]"}}}},
+      {"/uncertainty/support_kappa_N_m", {{{"/effects/unequal_support", R"({"kappa_N_m": 1})"}}}},
+      {"/uncertainty/support_azimuth_deg", {{{"/effects/unequal_support", R"({"kappa_N_m": 1})"}}}},
+      {"/uncertainty/given_torque_1_N_m", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/uncertainty/given_torque_2_N_m", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/uncertainty/given_torque_3_N_m", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/uncertainty/given_torque_frequency_hz", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/uncertainty/given_torque_phase_deg", {{{"/effects/given_torque", kHarmonicTorque}}}},
+      {"/uncertainty/air_force_linear_N_s_m",
+       {{{"/contact", kRolls}, {"/effects/air_force", R"({"linear_N_s_m": 0.1, "quadratic_N_s2_m2": 0.1})"}}}},
+      {"/uncertainty/air_force_quadratic_N_s2_m2",
+       {{{"/contact", kRolls}, {"/effects/air_force", R"({"linear_N_s_m": 0.1, "quadratic_N_s2_m2": 0.1})"}}}},
       {"/uncertainty/quadratic_torque_N_m_s2", {{{"/effects/quadratic_torque_N_m_s2", "1e-9"}}}},
       {"/uncertainty/coulomb_torque_N_m", {{{"/effects/coulomb_torque_N_m", "1e-6"}}}},
       {"/uncertainty/disc_radius_m", {{{"/effects/air_drag", R"({"disc_radius_m": 0.02})"}}}},
@@ -291,6 +325,7 @@ std::string made_up(const Field& field) {
       for (const double value : {0.25, 2e-3, -0.5})
         if (field.range.contains(value) && fmt::format("{}", value) != field.fallback) return fmt::format("{}", value);
       return "";
+    case FieldKind::number_or_vector3: return "[0.1, 0.2, 0.3]";
     case FieldKind::vector2: return "[0.1, 0.2]";
     case FieldKind::vector3: return "[0.1, 0.2, 0.3]";
     case FieldKind::numbers:
@@ -309,8 +344,10 @@ class Codec : public ::testing::Test {
         std::ofstream(temporary_.path() / (std::string(prefix) + name))
             << header << "\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
     for (const auto& [prefix, last] : {std::pair("one", "0.3"), std::pair("other", "0.4")})
-      std::ofstream(temporary_.path() / (std::string(prefix) + "_places.csv"))
-          << "t_s,x_m,y_m,z_m\n0,0,0,0.1\n20,0.1,0,0.1\n40,0.2,0,0.1\n60," << last << ",0,0.1\n";
+      for (const auto& [name, header] :
+           {std::pair("_places.csv", "t_s,x_m,y_m,z_m"), std::pair("_torques.csv", "t_s,x_N_m,y_N_m,z_N_m")})
+        std::ofstream(temporary_.path() / (std::string(prefix) + name))
+            << header << "\n0,0,0,0.1\n20,0.1,0,0.1\n40,0.2,0,0.1\n60," << last << ",0,0.1\n";
   }
   Scenario decoded(const std::string& text, const Overrides& overrides = {}) const {
     return parse_scenario({(temporary_.path() / "minimal.json").string(), text}, overrides);

@@ -29,9 +29,11 @@ SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release":
 
 ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
 PLACES = b"t_s,x_m,y_m,z_m\n0,0,0,0.03\n0.5,0.01,0,0.03\n1,0.02,0,0.03\n2,0.01,0,0.03\n"  # places.csv, too
+TORQUES = PLACES.replace(b"_m", b"_N_m")  # torques.csv, too
 RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
+SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01}
 RING = {"mass_kg": 0.15, "inertia": {"principal_kg_m2": [4e-4, 4e-4, 3e-4]}}
 IN_GIMBALS = {"outer_angle_deg": 20, "inner_angle_deg": 60}
 ROTOR = {"mass_kg": 0.05, "axial_kg_m2": 1.6e-5, "transverse_kg_m2": 8.5e-6}
@@ -155,6 +157,20 @@ WHOLE = [
     scene(gimbals={}, release=IN_GIMBALS, moving_masses=[
         {"mass_kg": 0.01, "carrier": "outer", "motion": "fixed", "center_m": [0, 0, 0.03]}]),
     scene(platform={"motion": "harmonic", "amplitude_rad": 0.1, "frequency_hz": 1, "phase_deg": 30}),
+    scene(effects={"viscous_torque_N_m_s": [1e-7, 2e-7, 3e-7], "unequal_support": {"kappa_N_m": 0.1, "azimuth_deg": 30},
+                   "given_torque": {"axes": "laboratory", "course": "harmonic", "torque_N_m": [1e-5, 1e-5, 1e-5], "frequency_hz": 1,
+                                    "phase_deg": 30}},
+          uncertainty={"viscous_torque_1_N_m_s": 1e-8, "viscous_torque_2_N_m_s": 1e-8, "viscous_torque_3_N_m_s": 1e-8,
+                       "support_kappa_N_m": 0.01, "support_azimuth_deg": 1, "given_torque_1_N_m": 1e-6,
+                       "given_torque_2_N_m": 1e-6, "given_torque_3_N_m": 1e-6, "given_torque_frequency_hz": 0.1,
+                       "given_torque_phase_deg": 1}),
+    scene(effects={"unequal_support": {"periods_s": [1.9, 2], "azimuth_deg": -30},
+                   "given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-5]}}),
+    scene(effects={"given_torque": {"axes": "body", "course": "table", "file": "torques.csv",
+                                    "file_sha256": hashlib.sha256(TORQUES).hexdigest()}}),
+    scene(effects={"viscous_torque_N_m_s": 1e-7, "air_drag": {"disc_radius_m": 0.05},
+                   "air_force": {"linear_N_s_m": 0.01, "quadratic_N_s2_m2": 0.01}}, contact=SLIDING,
+          uncertainty={"air_force_linear_N_s_m": 1e-3, "air_force_quadratic_N_s2_m2": 1e-3}),
     scene(effects={"gravity_gradient": True, "viscous_torque_N_m_s": 1e-7, "quadratic_torque_N_m_s2": 1e-9, "tide": False,
                    "air_drag": {"disc_radius_m": 0.05, "density_kg_m3": 1.2, "kinematic_viscosity_m2_s": 1.5e-5,
                                 "flow": "laminar"}}),
@@ -182,7 +198,6 @@ WHOLE = [
     scene(platform={"motion": "table", "file": "angles.csv", "file_sha256": hashlib.sha256(ANGLES).hexdigest()}),
 ]
 
-SLIDING = {"tip_radius_m": 0.002, "law": "coulomb", "friction_coefficient": 0.2, "regularisation_m_s": 0.01}
 
 # Faults that a schema cannot express: sections to replace, and a part of the decoder's message.
 BEYOND_THE_SCHEMA = [
@@ -215,6 +230,16 @@ BEYOND_THE_SCHEMA = [
     ({"effects": {"coulomb_torque_N_m": 1}, "rotor": {**ROTOR, "spin_rad_s": 300}}, "is not available with /rotor"),
     ({"body": {**BODY, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 0]}}, "rotor": {**ROTOR, "spin_rad_s": 300}},
      "are not free to turn about three axes"),
+    ({"effects": {"unequal_support": {"kappa_N_m": 1}}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}},
+     "is not available with /platform"),
+    ({"effects": {"unequal_support": {"kappa_N_m": 1}, "gimbal": True}, "release": {"tilt_deg": 90, "spin_rad_s": 1}},
+     "is not available with /effects/gimbal"),
+    ({"effects": {"unequal_support": {"kappa_N_m": 1}}, "contact": SLIDING}, "is not available with /contact"),
+    ({"effects": {"given_torque": {"axes": "body", "torque_N_m": [0, 0, 1]}}, "contact": SLIDING}, "is not available with /contact"),
+    ({"effects": {"unequal_support": {"periods_s": [1, 2]}}, "body": {**BODY, "center_of_mass_m": [0, 0.01, 0.02]}},
+     "are those of a pendulum"),
+    ({"effects": {"air_force": {"linear_N_s_m": 1}}}, "there is no /contact"),
+    ({"effects": {"given_torque": {"axes": "body", "course": "table", "file": "places.csv"}}}, "must be the header"),
     ({"effects": {"tide": True}}, "by date"),
     ({"effects": {"polar_motion": True}}, "by date"),
     ({"effects": "auto"}, "error asked for"),
@@ -251,7 +276,7 @@ BEYOND_THE_SCHEMA = [
     ({"platform": {"motion": "table", "file": "angles.csv"}, "motion": {"duration_s": 2.5}}, "it must reach the duration"),
     ({"headline": {"quantity": "drift.threshold_time_s", "value": 1, "tolerance": 1, "origin": ""}}, "no threshold to pass"),
     ({"contact": SLIDING, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "is not available with /contact"),
-    ({"contact": SLIDING, "effects": {"viscous_torque_N_m_s": 1e-7}}, "is not available with /contact"),
+    ({"contact": SLIDING, "effects": {"coulomb_torque_N_m": 1e-7}}, "is not available with /contact"),
     ({"contact": SLIDING, "numerics": {"observer": "body"}}, "with /contact"),
     ({"contact": SLIDING, "numerics": {"method": "splitting"}}, "not available for a top on a table"),
     ({"contact": SLIDING, "numerics": {"method": "dop853"}}, "not built for a top on a table"),
@@ -357,6 +382,7 @@ def check(earthtop, texts):
         pathlib.Path(directory, "angles.csv").write_bytes(ANGLES)
         pathlib.Path(directory, "rates.csv").write_bytes(RATES)
         pathlib.Path(directory, "places.csv").write_bytes(PLACES)
+        pathlib.Path(directory, "torques.csv").write_bytes(TORQUES)
         for index, text in enumerate(texts):
             path = pathlib.Path(directory, f"s{index}.json")
             path.write_text(text, encoding="utf-8")

@@ -52,6 +52,24 @@ inline std::vector<EffectCase> driving_cases() {
       applied("air_drag", "laminar", [](Applied& a) { a.air_drag.emplace().disc_radius_m = 0.1; }),
       applied("air_drag", "turbulent",
               [](Applied& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; }),
+      applied("viscous_torque", "viscous across and along",
+              [](Applied& a) {
+                a.viscous_by_axis_N_m_s = {3e-6, 3e-6, 1e-6};
+              }),
+      applied("unequal_support", "support",
+              [](Applied& a) { a.unequal_support = UnequalSupportSpec{.kappa_N_m = 4e-3, .azimuth_deg = 35}; }),
+      applied("given_torque", "torque along the axis",
+              [](Applied& a) {
+                a.given_torque = GivenTorqueSpec{.torque_N_m = {0, 0, -2e-4}};
+              }),
+      applied("given_torque", "torque of the laboratory",
+              [](Applied& a) {
+                a.given_torque = GivenTorqueSpec{.course = TorqueCourse::harmonic,
+                                                 .axes = TorqueAxes::laboratory,
+                                                 .torque_N_m = {5e-4, -4e-4, 3e-4},
+                                                 .frequency_hz = 0.8,
+                                                 .phase_deg = 40};
+              }),
       applied("gravity_gradient", "gradient",
               [](Applied& a) {
                 a.gravity_gradient = GravityGradientSpec{GradientField::given, 50};
@@ -76,12 +94,40 @@ inline std::vector<EffectCase> driving_cases() {
   return cases;
 }
 
+/// A torque of the laboratory that a table gives.
+inline GivenTorqueSpec torque_by_table() {
+  GivenTorqueSpec given{.course = TorqueCourse::table, .axes = TorqueAxes::laboratory};
+  for (std::size_t k = 0; k < 3; ++k) {
+    AngleTable table;
+    for (int i = 0; i <= 10; ++i)
+      table.t_s.push_back(0.3 * i), table.value.push_back(3e-3 * std::sin(0.9 * i + 2 * static_cast<double>(k)));
+    given.components[k].rows = std::make_shared<const AngleTable>(std::move(table));
+  }
+  return given;
+}
+
 /// All cases: those above, a platform whose angle has jumps in its third derivative, and what changes the Earth's rotation, its
 /// torques, the release or the constraint.
 inline std::vector<EffectCase> effect_cases() {
   std::vector<EffectCase> cases = driving_cases();
   cases.push_back({"platform_motion", "table", [](Scenario& s) { s.platform = swinging_table(); },
                    [](Scenario& s) { s.platform.reset(); }});
+  const auto applied = [&](std::string effect, std::string name, auto change) {
+    cases.push_back({std::move(effect), std::move(name), [change](Scenario& s) { change(s.effects.applied); },
+                     [](Scenario& s) { s.effects.applied = {}; }});
+  };
+  using Applied = AppliedTorquesSpec;
+  applied("viscous_torque", "viscous by axis", [](Applied& a) { a.viscous_by_axis_N_m_s = {3e-5, 1e-5, 2e-5}; });
+  applied("given_torque", "torque of the body", [](Applied& a) {
+    a.given_torque = GivenTorqueSpec{.torque_N_m = {2e-3, -1e-3, 1e-3}};
+  });
+  applied("given_torque", "torque by table", [](Applied& a) { a.given_torque = torque_by_table(); });
+  cases.push_back({"air_force", "force of the air",
+                   [](Scenario& s) {
+                     s.contact = ContactSpec{.tip_radius_m = 0.002, .law = ContactLaw::viscous, .sliding_viscosity_N_s_m = 0.5};
+                     s.effects.applied.air_force = AirForceSpec{.linear_N_s_m = 0.05, .quadratic_N_s2_m2 = 0.1};
+                   },
+                   [](Scenario& s) { s.effects.applied.air_force.reset(); }});
   const auto flag = [&](std::string effect, bool EffectsSpec::*member) {
     cases.push_back({effect, effect, [member](Scenario& s) { s.effects.*member = true; },
                      [member](Scenario& s) { s.effects.*member = false; }});

@@ -66,6 +66,23 @@ inline Scenario busy_scene() {
   return s;
 }
 
+/// Friction of the body axes apart, an unequal support and a torque of the laboratory on a body with three different moments.
+inline Scenario apparatus_scene() {
+  Scenario s = asymmetric_top();
+  s.name = "apparatus";
+  AppliedTorquesSpec& applied = s.effects.applied;
+  applied.viscous_by_axis_N_m_s = {4e-6, 1e-6, 2e-6};
+  applied.unequal_support = UnequalSupportSpec{.kappa_N_m = 0.02, .azimuth_deg = 35};
+  applied.given_torque = GivenTorqueSpec{.course = TorqueCourse::harmonic,
+                                         .axes = TorqueAxes::laboratory,
+                                         .torque_N_m = {2e-3, -1e-3, 3e-3},
+                                         .frequency_hz = 0.7,
+                                         .phase_deg = 20};
+  s.duration_s = 0.5;
+  s.output_step_s = 0.1;
+  return s;
+}
+
 /// An asymmetric rotor in a gimbal, with the torques that a gimbal allows.
 inline Scenario held_rotor() {
   Scenario s = gyrocompass(30, 10, 1e-5);

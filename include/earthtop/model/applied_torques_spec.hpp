@@ -3,7 +3,10 @@
 /// applied_torques.hpp.
 #pragma once
 
+#include <array>
 #include <optional>
+
+#include "earthtop/frames/angle_table.hpp"
 
 namespace earthtop {
 
@@ -35,6 +38,34 @@ struct GimbalSpec {
   bool operator==(const GimbalSpec&) const = default;
 };
 
+/// A support that is stiffer, or softer, along a horizontal direction e of the laboratory: its energy is kappa (n.e)^2 / 2,
+/// with body axis 3 as n. Of a pendulum the periods of its small swings may be given in place of kappa.
+struct UnequalSupportSpec {
+  double kappa_N_m = 0;
+  std::optional<std::array<double, 2>> periods_s = {};  ///< along e, and across it: only their ratio counts
+  double azimuth_deg = 0;                               ///< compass azimuth of e
+  bool operator==(const UnequalSupportSpec&) const = default;
+};
+
+/// A torque that is given as a function of time, in body axes or in laboratory axes: constant, harmonic (its amplitude times
+/// sin(2 pi f t + phase)), or a table of its three components.
+enum class TorqueCourse { constant, harmonic, table };
+enum class TorqueAxes { body, laboratory };
+struct GivenTorqueSpec {
+  TorqueCourse course = TorqueCourse::constant;
+  TorqueAxes axes = TorqueAxes::body;
+  std::array<double, 3> torque_N_m = {0, 0, 0};
+  double frequency_hz = 0, phase_deg = 0;
+  std::array<FiledTable, 3> components = {};  ///< of TorqueCourse::table (N m); all of them from one file
+  bool operator==(const GivenTorqueSpec&) const = default;
+};
+
+/// The force of the air on a top that stands on a table, at its centre of mass: -(b + c |v|) v for its velocity v.
+struct AirForceSpec {
+  double linear_N_s_m = 0, quadratic_N_s2_m2 = 0;
+  bool operator==(const AirForceSpec&) const = default;
+};
+
 /// The applied torques as a scenario gives them; zero or absent means off.
 struct AppliedTorquesSpec {
   double viscous_N_m_s = 0;
@@ -43,14 +74,24 @@ struct AppliedTorquesSpec {
   std::optional<AirDragSpec> air_drag;
   std::optional<GravityGradientSpec> gravity_gradient;
   std::optional<GimbalSpec> gimbal;
+  std::optional<std::array<double, 3>> viscous_by_axis_N_m_s = {};  ///< of each body axis apart; `viscous_N_m_s` is then 0
+  std::optional<UnequalSupportSpec> unequal_support = {};
+  std::optional<GivenTorqueSpec> given_torque = {};
+  std::optional<AirForceSpec> air_force = {};
   bool operator==(const AppliedTorquesSpec&) const = default;
 
   bool any() const { return *this != AppliedTorquesSpec{}; }
-  /// Whether anything rubs: what is neither the gradient nor the gimbal.
+  /// Whether anything rubs: what is neither the gradient nor the gimbal, a support or a given torque.
   bool friction() const {
     AppliedTorquesSpec rubbing = *this;
-    rubbing.gravity_gradient.reset(), rubbing.gimbal.reset();
+    rubbing.gravity_gradient.reset(), rubbing.gimbal.reset(), rubbing.unequal_support.reset(), rubbing.given_torque.reset();
     return rubbing.any();
+  }
+  /// Whether nothing acts but an unequal support, whose energy depends on the axis alone.
+  bool support_alone() const {
+    AppliedTorquesSpec others = *this;
+    others.unequal_support.reset();
+    return unequal_support && !others.any();
   }
 };
 

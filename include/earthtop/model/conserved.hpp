@@ -61,6 +61,7 @@ struct InstantOnTable {
 struct PivotConditions {
   int symmetry_axis = -1;                   ///< of a rigid body
   bool alone = false;                       ///< whether only gravity and the Earth's rotation act
+  bool beside_support = false;              ///< whether nothing else acts but an unequal support, which has an energy
   const GimbalsSpec* gimbals = nullptr;     ///< null without a Cardan suspension
   bool outer_axis_without_gravity = false;  ///< of a suspension: whether gravity has no moment about its outer axis
   bool has_rotor = false;
@@ -68,7 +69,11 @@ struct PivotConditions {
   bool rotor_is_steady = false;  ///< whether neither friction nor a changing drive takes or gives energy
   bool rotor_keeps_momentum = false;
 
-  bool conserves_energy() const { return alone && !masses_move && (!has_rotor || rotor_is_steady) && !bearings_brake(); }
+  bool conserves_energy() const {
+    return (alone || beside_support) && !masses_move && (!has_rotor || rotor_is_steady) && !bearings_brake();
+  }
+  /// An unequal support has no torque along body axis 3.
+  bool conserves_spin() const { return alone ? symmetry_axis >= 0 : beside_support && symmetry_axis == 2; }
   bool bearings_brake() const {
     const auto brakes = [](const BearingSpec& b) { return b.viscous_torque_N_m_s != 0 || b.coulomb_torque_N_m != 0; };
     return gimbals != nullptr && (brakes(gimbals->outer) || brakes(gimbals->inner));
@@ -149,12 +154,16 @@ ConservedValue<T> outer_momentum(const InstantOnPivot<T>& i) {
   return {s.momenta.outer, norm(s.motion.L_A) + norm(s.motion.L_B)};
 }
 
-/// With a rotor: h^2 / (2 C) of a free one, and -W.(h c) of any.
+/// With the energy of an unequal support. With a rotor: h^2 / (2 C) of a free one, and -W.(h c) of any.
 template <class T>
 ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
   if (i.model.kind == SceneKind::suspension) return jacobi_of_suspension(i);
   ConservedValue<T> J =
       jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
+  if (const SupportStiffness<T>& K = i.model.applied.support; K.acts()) {
+    const Mat3<T> R_LB = rotation_matrix(i.q_LB);
+    J.value += support_energy(K, R_LB(0, 2), R_LB(1, 2)), J.scale += K.largest();
+  }
   const Rotor<T>& rotor = i.model.rotor;
   if (i.model.kind != SceneKind::gyrostat) return J;
   const T h = i.rotor_momentum(), kinetic = rotor.driven ? T(0) : T(h * h / (T(2) * rotor.axial));
@@ -259,7 +268,7 @@ inline constexpr ConservedQuantity<T> kConserved[] = {
      [](const PivotConditions& pivot) { return pivot.conserves_energy(); }, conserved::jacobi<T>,
      [](const TableConditions& table) { return table.conserves_energy(); }},
     {"inertial_spin", "rad/s", 0, 1, ConservingMotion::rotating, conserved::spin<T>,
-     [](const PivotConditions& pivot) { return pivot.alone && pivot.symmetry_axis >= 0; }, conserved::spin<T>,
+     [](const PivotConditions& pivot) { return pivot.conserves_spin(); }, conserved::spin<T>,
      [](const TableConditions& table) { return table.conserves_spin(); }},
     {"reference_jellett_integral", "kg m^3/s", 1, 1, ConservingMotion::reference, nullptr, nullptr, conserved::jellett<T>,
      [](const TableConditions& table) { return table.conserves_jellett(); }},

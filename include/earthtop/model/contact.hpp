@@ -13,6 +13,25 @@
 
 namespace earthtop {
 
+/// The air about a top on a table: a torque about the centre of mass that opposes its rate relative to the table, by the laws
+/// of applied_torques.hpp, and a force there that opposes its velocity. Below `rate_floor` and `speed_floor` a law that is not
+/// linear goes over into a linear one, so that it has no corner where the motion comes to rest: its rate is sqrt(w^2 +
+/// floor^2).
+template <class S>
+struct AirOnTable {
+  bool turns = false, has_quadratic = false, has_axes = false, has_drag = false;  ///< which of its torques there are
+  bool pulls = false, pulls_by_square = false;  ///< whether it has a force, and a quadratic one
+  S viscous = S(0), viscous_1 = S(0), viscous_2 = S(0), viscous_3 = S(0);
+  S quadratic = S(0), disc_laminar = S(0), disc_turbulent = S(0);
+  S force = S(0), force_by_speed = S(0);  ///< b and c of -(b + c v) v
+  S rate_floor = S(0), speed_floor = S(0);
+  EARTHTOP_MEMBERS(turns, has_quadratic, has_axes, has_drag, pulls, pulls_by_square, viscous, viscous_1, viscous_2, viscous_3,
+                   quadratic, disc_laminar, disc_turbulent, force, force_by_speed, rate_floor, speed_floor)
+
+  bool acts() const { return turns || pulls; }
+  bool depends_on_rate() const { return has_quadratic; }
+};
+
 /// Body and contact. Every number is of the scalar S of the formulas, so that the change of a motion with a coefficient follows
 /// by pairs through the same formulas.
 /// @tparam S  a number, Paired, or a scalar that records operations
@@ -42,10 +61,11 @@ struct Contact {
 
   TorqueWeights<S> weights;  ///< of force and torque together
   Mat3<S> gradient_H;        ///< gradient of gravitation (1/time^2)
+  AirOnTable<S> air;
   EARTHTOP_MEMBERS(law, has_spinning_friction, has_rolling_resistance, has_gradient, omits_torques, mass, tip_radius, viscosity,
                    coefficient, slip_floor, patch_radius, slip_of_spin, spin_of_slip, moment_factor, spinning_length,
                    rolling_length, rate_floor, p_OC_B, I_BC_B, I_BC_B_inverse, S_BC_B, height_of_center, I1, I3, weights,
-                   gradient_H)
+                   gradient_H, air)
 };
 
 /// Whether a contact has the exact Coulomb law, whose slip stops.
@@ -66,7 +86,14 @@ extern template Contact<float80> make_contact(const ContactSpec&, const Body<flo
 extern template Contact<float128> make_contact(const ContactSpec&, const Body<float128>&, const Site&,
                                                const TorqueWeights<float128>&, const GravityGradientSpec*, const NaturalUnits&);
 
-/// Returns the same contact in natural units; its numbers are in SI units. Not a digit changes.
+/// The air in SI units.   @param spin_rad_s  at release; decides between a laminar and a turbulent disc
+template <class T>
+AirOnTable<T> make_air_on_table(const AppliedTorquesSpec& spec, const Site& site, double spin_rad_s);
+extern template AirOnTable<double> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
+extern template AirOnTable<float80> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
+extern template AirOnTable<float128> make_air_on_table(const AppliedTorquesSpec&, const Site&, double);
+
+/// Returns the same contact in natural units; its numbers are in SI units. Not a digit changes, but of a disc's drag.
 template <class T>
 Contact<T> in_units(Contact<T> contact, const NaturalUnits& units);
 extern template Contact<double> in_units(Contact<double>, const NaturalUnits&);
@@ -84,7 +111,7 @@ extern template Quaternion<float128> table_attitude(double, double);
 /// Whether the reduced form holds: the body is symmetric about axis 3, on which C lies.
 template <class T>
 bool is_symmetric(const Contact<T>& contact) {
-  return symmetry_axis(contact.I_BC_B, contact.p_OC_B) == 2;
+  return symmetry_axis(contact.I_BC_B, contact.p_OC_B) == 2 && contact.air.viscous_1 == contact.air.viscous_2;
 }
 
 /// The same contact in both predictions.

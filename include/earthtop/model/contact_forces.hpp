@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The forces on a top whose tip touches a table: friction under each law, the field on the centre of mass, and the torques about
-/// it that are not the table's. Each formula is a template on its scalar S: with Paired<T> it gives both predictions and their
-/// difference without cancellation. Vectors are in any axes A that all arguments share.
+/// The forces on a top whose tip touches a table: friction under each law, the air, the field on the centre of mass, and the
+/// torques about it that are not the table's. Each formula is a template on its scalar S: with Paired<T> it gives both
+/// predictions and their difference without cancellation. Vectors are in any axes A that all arguments share.
 ///
 /// Friction is affine in the normal force N: force F = N phi + F0, moment M = N mh, by
 ///
@@ -89,6 +89,39 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
   if (contact.has_rolling_resistance)
     f.moment_per_normal -= contact.rolling_length * regularised_direction(Vec3<S>(w - w_z * normal), floor_squared);
   return f;
+}
+
+/// The torque of the air about the centre of mass.   @param w  rate relative to the table, in body axes as the result
+template <class S>
+Vec3<S> air_torque_B(const AirOnTable<S>& air, const Vec3<S>& w_B) {
+  using real::sqrt;
+  const S floor_squared = air.rate_floor * air.rate_floor;
+  Vec3<S> torque = S(-friction_coefficient(air, S(inner(w_B, w_B) + floor_squared))) * w_B;
+  if (air.has_drag) torque[2] -= disc_drag_coefficient(air, S(sqrt(S(w_B[2] * w_B[2] + floor_squared)))) * w_B[2];
+  if (air.has_axes) {
+    const Vec3<S> by_axis(air.viscous_1, air.viscous_2, air.viscous_3);
+    for (int i = 0; i < 3; ++i) torque[i] -= by_axis[i] * w_B[i];
+  }
+  return torque;
+}
+/// The same of a body symmetric about n, in any axes: -c w - (d + k3 - k1) (n.w) n with c + k1 across the axis.
+template <class S>
+Vec3<S> air_torque_beside_axis(const AirOnTable<S>& air, const Vec3<S>& w, const Vec3<S>& n) {
+  using real::sqrt;
+  const S floor_squared = air.rate_floor * air.rate_floor, spin = inner(w, n);
+  S across = friction_coefficient(air, S(inner(w, w) + floor_squared)), along = S(0);
+  if (air.has_drag) along += disc_drag_coefficient(air, S(sqrt(S(spin * spin + floor_squared))));
+  if (air.has_axes) across += air.viscous_1, along += air.viscous_3 - air.viscous_1;
+  return S(-across) * w - S(along * spin) * n;
+}
+/// The acceleration that the force of the air gives the centre of mass.   @param v_C  relative to the laboratory
+template <class S>
+Vec3<S> air_acceleration(const Contact<S>& contact, const Vec3<S>& v_C) {
+  using real::sqrt;
+  const AirOnTable<S>& air = contact.air;
+  S coefficient = air.force;
+  if (air.pulls_by_square) coefficient += air.force_by_speed * sqrt(S(inner(v_C, v_C) + air.speed_floor * air.speed_floor));
+  return S(S(-1) * (coefficient / contact.mass)) * v_C;
 }
 
 /// The acceleration -2 W x v_C - W x (W x p_C) + Gamma p_C that a field uniform in inertial space, seen from the laboratory, and

@@ -20,7 +20,7 @@ struct ContactLedger {
   Vec3<S> coriolis;     ///< weighed
   Vec3<S> centrifugal;  ///< weighed
   Vec3<S> gradient;
-  Vec3<S> friction;  ///< -r z x F + M
+  Vec3<S> friction;  ///< -r z x F + M, and the air's torque about O
   Vec3<S> sum() const { return gravity + tip + coriolis + centrifugal + gradient + friction; }
 };
 
@@ -59,6 +59,11 @@ ContactLedger<S> contact_ledger(const Contact<S>& c, const ContactSurroundings<S
   if (c.has_gradient)
     ledger.gradient = gradient_torque(around.gradient, S_O) + Vec3<S>(moment.cross(times(around.gradient, x.p_O)));
   ledger.friction = rates.reaction.moment - c.tip_radius * Vec3<S>(z.cross(rates.reaction.friction));
+  if (c.air.pulls) {
+    const Vec3<S> v_C = rates.p_O + Vec3<S>(rates.w.cross(times(x.R_HB, c.p_OC_B)));
+    ledger.friction += moment.cross(air_acceleration(c, v_C));
+  }
+  if (c.air.turns) ledger.friction += times(x.R_HB, air_torque_B(c.air, transposed_times(x.R_HB, rates.w)));
   return ledger;
 }
 

@@ -55,6 +55,8 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   k.torque = c.weights.coriolis * coriolis_torque(around.W, velocity_moment(S_BC, k.w)) +
              c.weights.centrifugal * centrifugal_torque(around.W, S_BC);
   if (c.has_gradient) k.torque += gradient_torque(around.gradient, S_BC);
+  if (c.air.pulls) k.field += air_acceleration(c, Vec3<S>(k.v_O + wr));
+  if (c.air.turns) k.torque += times(x.R_HB, air_torque_B(c.air, transposed_times(x.R_HB, k.w)));
   return k;
 }
 

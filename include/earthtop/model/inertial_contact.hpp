@@ -27,6 +27,7 @@ struct InertialContactBody {
   Mat3<S> I_inverse;  ///< of the inertia about C
   Vec3<S> L_C;        ///< inertial angular momentum about C
   Mat3<S> S_BC;       ///< second moment about C; read only where the gradient acts or torques are left out
+  Mat3<S> R_NB;       ///< attitude of a body that is not symmetric; read only where the air acts
   /// A symmetric body's axis, that axis's derivative, L_C x w_IB, and the inverse of the inertia as
   /// `across` + `beyond_across` n n^T. The matrix is then not set.
   bool is_symmetric = false;
@@ -78,6 +79,12 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   if (c.has_gradient) {
     k.acceleration += times(around.gradient, x.X_C);
     k.torque += gradient_torque(around.gradient, body.S_BC);
+  }
+  if (c.air.pulls) k.acceleration += air_acceleration(c, Vec3<S>(k.V_C - Vec3<S>(W.cross(x.X_C))));
+  if (c.air.turns) {
+    const Vec3<S> w = x.w_IB - W;
+    k.torque += body.is_symmetric ? air_torque_beside_axis(c.air, w, body.n)
+                                  : times(body.R_NB, air_torque_B(c.air, transposed_times(body.R_NB, w)));
   }
   if (c.omits_torques) {
     k.acceleration -= left_out_acceleration(c, W, x.X_C, Vec3<S>(k.V_C - Vec3<S>(W.cross(x.X_C))));
@@ -213,7 +220,7 @@ InertialContactBody<S> inertial_body(const Contact<S>& c, const Vec3<S>& n, cons
 template <class S>
 InertialContactBody<S> inertial_body(const Contact<S>& c, const Mat3<S>& R_NB, const Vec3<S>& L_C) {
   InertialContactBody<S> body;
-  body.r_c = times(R_NB, c.p_OC_B), body.L_C = L_C;
+  body.r_c = times(R_NB, c.p_OC_B), body.L_C = L_C, body.R_NB = R_NB;
   body.I_inverse = turned_tensor(R_NB, c.I_BC_B_inverse), body.S_BC = turned_tensor(R_NB, c.S_BC_B);
   return body;
 }

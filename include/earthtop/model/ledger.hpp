@@ -19,9 +19,9 @@ struct LedgerEntry {
   Vec3<T> tau_cent_A = Vec3<T>::Zero();   ///< centrifugal
   Vec3<T> dL_dt_A = Vec3<T>::Zero();      ///< derivative, taken in A, of the momentum L' that A sees
   Vec3<T> residual_A = Vec3<T>::Zero();   ///< the sum of the four torques minus dL_dt_A: round-off
+  /// Parts of tau_phys_A, in the order of kAppliedShares.
   std::array<Vec3<T>, kAppliedShares.size()> share_A = {Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero(),
-                                                        Vec3<T>::Zero()};  ///< parts of tau_phys_A, in the order of
-                                                                           ///< kAppliedShares
+                                                        Vec3<T>::Zero(), Vec3<T>::Zero(), Vec3<T>::Zero()};
   /// The two parts of the Coriolis torque, for a frame that turns at u: -(dTheta/dt) u, from the change of the inertia as A sees it, and
   /// L' x u, the gyroscopic torque of the momentum L'.
   Vec3<T> tau_cor_inertia_A = Vec3<T>::Zero(), tau_cor_gyroscopic_A = Vec3<T>::Zero();

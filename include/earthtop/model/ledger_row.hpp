@@ -15,8 +15,9 @@ enum class LedgerObserver { inertial, laboratory, platform, body };
 std::string_view to_string(LedgerObserver observer);
 
 /// The effects that may act besides gravity and the pivot; each has its share of the physical torques.
-/// `friction` is that of the pivot, or of a table with the tip.
-inline constexpr std::array<std::string_view, 4> kAppliedShares{"tide", "gradient", "friction", "gimbal"};
+/// `friction` is that of the pivot, of the air, or of a table with the tip; `support` that of an unequal support; `given` a
+/// given torque.
+inline constexpr std::array<std::string_view, 6> kAppliedShares{"tide", "gradient", "friction", "gimbal", "support", "given"};
 
 /// The torques about the pivot, or about the centre of the tip's sphere of a top on a table, at one instant (N m), in the axes of
 /// the observing frame: the stored form of LedgerEntry (ledger.hpp).

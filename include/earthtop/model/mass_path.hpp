@@ -18,7 +18,8 @@ struct PointOnPath {
   Vec3<T> place = Vec3<T>::Zero(), velocity = Vec3<T>::Zero(), acceleration = Vec3<T>::Zero();
 };
 
-/// A path of polynomials one after another. Place, velocity and acceleration are continuous; steps of an integration end where pieces do.
+/// A path of polynomials one after another, or any vector that is a function of time. Place, velocity and acceleration are
+/// continuous; steps of an integration end where pieces do.
 template <class T>
 class PiecewisePath {
  public:
@@ -35,6 +36,10 @@ class PiecewisePath {
   PointOnPath<T> at(const T& t) const {
     const Piece& p = piece(t);
     return {derivative(p, t - p.start, 0), derivative(p, t - p.start, 1), derivative(p, t - p.start, 2)};
+  }
+  Vec3<T> place(const T& t) const {
+    const Piece& p = piece(t);
+    return derivative(p, t - p.start, 0);
   }
   /// Puts the coefficients of the powers of (t' - t) of a derivative of the place into a row for each power, just after t. A t that is
   /// earlier than a joint only by rounding counts as the joint.
@@ -55,6 +60,14 @@ class PiecewisePath {
     std::vector<T> times;
     for (std::size_t i = 1; i < pieces_.size(); ++i) times.push_back(pieces_[i].start);
     return times;
+  }
+  /// The same path with its places in another unit of 2^-exponent: exact, no digit changes.
+  PiecewisePath scaled(int exponent) const {
+    PiecewisePath made = *this;
+    for (Piece& p : made.pieces_)
+      for (Vec3<T>& coefficient : p.coefficients)
+        for (int i = 0; i < 3; ++i) coefficient[i] = real::scale(coefficient[i], exponent);
+    return made;
   }
   /// The same path with times in units of 2^time_exponent s: exact, no digit changes.
   PiecewisePath in_time_units(int time_exponent) const {

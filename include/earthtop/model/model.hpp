@@ -62,6 +62,14 @@ struct Model {
                    platform, applied, tide, rotor, masses, gimbals, kind)
 };
 
+/// Sets the stiffness of an unequal support that is given by the periods of a pendulum, from the weight of the model's body.
+template <class T>
+void put_support(Model<T>& model, const AppliedTorquesSpec& spec) {
+  if (spec.unequal_support && spec.unequal_support->periods_s)
+    model.applied.support =
+        support_of_periods<T>(*spec.unequal_support, T(model.mass_moment_B[2] * norm(model.apparent_gravity_L)));
+}
+
 /// A model whose tensors of the body are those at a time, where masses move in it. It keeps the last time that it was asked for, so that a
 /// copy belongs to one thread.
 template <class T>

@@ -78,6 +78,10 @@ struct MovingMasses {
   }
 };
 
+/// The cubic splines of three coordinates, or of a vector's three components, as a path.   @param tables  with the same times
+template <class T>
+PiecewisePath<T> path_of_tables(const std::array<std::shared_ptr<const AngleTable>, 3>& tables);
+
 /// The masses on a carrier, in SI units.   @param only_moving  whether those that are fixed to it are left out
 template <class T>
 MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrier carrier, bool only_moving);
@@ -85,8 +89,9 @@ MovingMasses<T> make_masses(const std::vector<MovingMassSpec>& specs, MassCarrie
 /// The same masses in units of 2^mass_exponent kg and 2^time_exponent s.
 template <class T>
 MovingMasses<T> in_units(MovingMasses<T> masses, int mass_exponent, int time_exponent);
-#define EARTHTOP_MASSES(T)                                                                            \
-  extern template MovingMasses<T> make_masses(const std::vector<MovingMassSpec>&, MassCarrier, bool); \
+#define EARTHTOP_MASSES(T)                                                                                  \
+  extern template PiecewisePath<T> path_of_tables(const std::array<std::shared_ptr<const AngleTable>, 3>&); \
+  extern template MovingMasses<T> make_masses(const std::vector<MovingMassSpec>&, MassCarrier, bool);       \
   extern template MovingMasses<T> in_units(MovingMasses<T>, int, int);
 EARTHTOP_MASSES(double)
 EARTHTOP_MASSES(float80)

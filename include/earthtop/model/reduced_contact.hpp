@@ -57,17 +57,20 @@ Kinematics<S> kinematics(const Contact<S>& c, const ContactSurroundings<S>& arou
   k.v_O = x.v_P + c.tip_radius * Vec3<S>(k.w.cross(around.normal));
   k.v_C = k.v_O + c.height_of_center * k.n_dot;
   k.field = field_beside_gravity(c, around, Vec3<S>(x.p_O + k.r_c), k.v_C);
+  if (c.air.pulls) k.field += air_acceleration(c, k.v_C);
   k.b = (c.I3 / c.I1) * x.w3;
   k.up = inner(around.normal, x.n);
   return k;
 }
 
-/// The torque about C that is neither gyroscopic nor the table's: that of the gradient, minus those of [F] that the scene leaves
-/// out. With the second moment S = s1 (1 - n n^T) + s3 n n^T about C these are -2 (S W) x w and -(S W) x W (reduced_torques.hpp).
+/// The torque about C that is neither gyroscopic nor the table's: those of the gradient and of the air, minus those of [F] that
+/// the scene leaves out. With the second moment S = s1 (1 - n n^T) + s3 n n^T about C these are -2 (S W) x w and -(S W) x W
+/// (reduced_torques.hpp).
 template <class S>
 Vec3<S> further_torque(const Contact<S>& c, const ContactSurroundings<S>& around, const Vec3<S>& n, const Vec3<S>& w) {
   Vec3<S> torque(S(0), S(0), S(0));
   if (c.has_gradient) torque += S(c.I1 - c.I3) * Vec3<S>(n.cross(times(around.gradient, n)));
+  if (c.air.turns) torque += air_torque_beside_axis(c.air, w, n);
   if (c.omits_torques) {
     const S s1 = c.I3 / S(2), s3 = c.I1 - s1;
     const Vec3<S> SW = s1 * around.W + S((s3 - s1) * inner(n, around.W)) * n;
@@ -83,7 +86,7 @@ template <class S>
 bool keeps_spin(const Contact<S>& c) {
   const bool moments = c.law == ContactLaw::contensou || c.has_spinning_friction || c.has_rolling_resistance;
   const bool no_arm = c.law == ContactLaw::frictionless || (c.tip_radius == S(0) && c.law != ContactLaw::rolling);
-  return no_arm && !moments && !c.omits_torques;
+  return no_arm && !moments && !c.omits_torques && !c.air.turns;
 }
 
 /// The time derivatives under a law of sliding friction.

@@ -51,13 +51,13 @@ bool is_reducible(const Model<T>& model) {
 }
 
 /// Whether a model is a symmetric top in any scene whose torques do not depend on the angle of spin (reduced_torques.hpp). A
-/// gimbal's constraint is not written in that form; a disc spins about body axis 3. All
+/// gimbal's constraint is not written in that form; a disc spins about body axis 3, which an unequal support holds. All
 /// torques of [F] act: it has no place for one that is left out.
 template <class T>
 bool is_reducible_when_driven(const Model<T>& model) {
   const AppliedTorques<T>& applied = model.applied;
   const int axis = symmetry_axis(model.I_BP_B, model.mass_moment_B);
-  return axis >= 0 && model.kind != SceneKind::gyrostat && !applied.level_axis && (axis == 2 || !applied.has_disc()) &&
+  return axis >= 0 && model.kind != SceneKind::gyrostat && !applied.level_axis && applied.is_symmetric_about(axis) &&
          model.weights.all_act();
 }
 
@@ -67,7 +67,8 @@ template <class T>
 bool is_compass(const Model<T>& model) {
   const Platform<T>& platform = model.platform;
   const bool rests = platform.turn.never_turns() && norm(platform.pivot_offset_P) == T(0);
-  return model.applied.level_axis && rests && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 && model.weights.all_act();
+  return model.applied.level_axis && rests && symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2 &&
+         model.applied.is_symmetric_about(2) && model.weights.all_act();
 }
 
 /// @throws std::logic_error for a model that is not a symmetric top

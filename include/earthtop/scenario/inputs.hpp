@@ -40,6 +40,18 @@ template <class Part>
 double* in(std::optional<Part>& part, double Part::*member) {
   return part ? if_on((*part).*member) : nullptr;
 }
+/// A component of an optional vector; null where it is missing or 0.
+inline double* component(std::optional<std::array<double, 3>>& vector, std::size_t i) {
+  return vector ? if_on((*vector)[i]) : nullptr;
+}
+inline double* of_given_torque(Scenario& s, std::size_t i) {
+  auto& given = s.effects.applied.given_torque;
+  return given && given->course != TorqueCourse::table ? if_on(given->torque_N_m[i]) : nullptr;
+}
+inline double* of_course(Scenario& s, double GivenTorqueSpec::*member) {
+  auto& given = s.effects.applied.given_torque;
+  return given && given->course == TorqueCourse::harmonic ? &((*given).*member) : nullptr;
+}
 inline double* on_platform(Scenario& s, double PlatformSpec::*member, bool moves_so) {
   return s.platform && moves_so ? &((*s.platform).*member) : nullptr;
 }
@@ -216,6 +228,45 @@ inline constexpr std::array<InputRow, kInputCount> kInputs = {
     {"/uncertainty/outer_axial_kg_m2", "", "kg m^2", 1e9,
      "standard error of the moment of the outer gimbal about its axis, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::axial_of_ring(s); }},
+    {"/uncertainty/viscous_torque_1_N_m_s", "/effects/viscous_torque_N_m_s/0", "N m s", 1e9,
+     "standard error of effects/viscous_torque_N_m_s about body axis 1, where three are given", InputKind::number,
+     [](Scenario& s) { return inputs::component(s.effects.applied.viscous_by_axis_N_m_s, 0); }},
+    {"/uncertainty/viscous_torque_2_N_m_s", "/effects/viscous_torque_N_m_s/1", "N m s", 1e9,
+     "standard error of effects/viscous_torque_N_m_s about body axis 2, where three are given", InputKind::number,
+     [](Scenario& s) { return inputs::component(s.effects.applied.viscous_by_axis_N_m_s, 1); }},
+    {"/uncertainty/viscous_torque_3_N_m_s", "/effects/viscous_torque_N_m_s/2", "N m s", 1e9,
+     "standard error of effects/viscous_torque_N_m_s about body axis 3, where three are given", InputKind::number,
+     [](Scenario& s) { return inputs::component(s.effects.applied.viscous_by_axis_N_m_s, 2); }},
+    {"/uncertainty/support_kappa_N_m", "/effects/unequal_support/kappa_N_m", "N m", 1e9,
+     "standard error of effects/unequal_support/kappa_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.effects.applied.unequal_support, &UnequalSupportSpec::kappa_N_m); }},
+    {"/uncertainty/support_azimuth_deg", "/effects/unequal_support/azimuth_deg", "deg", 360,
+     "standard error of effects/unequal_support/azimuth_deg, with an unequal support", InputKind::number,
+     [](Scenario& s) {
+       auto& support = s.effects.applied.unequal_support;
+       return support ? &support->azimuth_deg : nullptr;
+     }},
+    {"/uncertainty/given_torque_1_N_m", "/effects/given_torque/torque_N_m/0", "N m", 1e9,
+     "standard error of the first component of effects/given_torque/torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_given_torque(s, 0); }},
+    {"/uncertainty/given_torque_2_N_m", "/effects/given_torque/torque_N_m/1", "N m", 1e9,
+     "standard error of the second component of effects/given_torque/torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_given_torque(s, 1); }},
+    {"/uncertainty/given_torque_3_N_m", "/effects/given_torque/torque_N_m/2", "N m", 1e9,
+     "standard error of the third component of effects/given_torque/torque_N_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::of_given_torque(s, 2); }},
+    {"/uncertainty/given_torque_frequency_hz", "/effects/given_torque/frequency_hz", "Hz", 1e6,
+     "standard error of effects/given_torque/frequency_hz, with the course harmonic", InputKind::number,
+     [](Scenario& s) { return inputs::of_course(s, &GivenTorqueSpec::frequency_hz); }},
+    {"/uncertainty/given_torque_phase_deg", "/effects/given_torque/phase_deg", "deg", 360,
+     "standard error of effects/given_torque/phase_deg, with the course harmonic", InputKind::number,
+     [](Scenario& s) { return inputs::of_course(s, &GivenTorqueSpec::phase_deg); }},
+    {"/uncertainty/air_force_linear_N_s_m", "/effects/air_force/linear_N_s_m", "N s/m", 1e9,
+     "standard error of effects/air_force/linear_N_s_m, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.effects.applied.air_force, &AirForceSpec::linear_N_s_m); }},
+    {"/uncertainty/air_force_quadratic_N_s2_m2", "/effects/air_force/quadratic_N_s2_m2", "N s^2/m^2", 1e9,
+     "standard error of effects/air_force/quadratic_N_s2_m2, where it is not 0", InputKind::number,
+     [](Scenario& s) { return inputs::in(s.effects.applied.air_force, &AirForceSpec::quadratic_N_s2_m2); }},
 };
 static_assert(!kInputs.back().pointer.empty());
 

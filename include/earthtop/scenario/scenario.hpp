@@ -54,7 +54,7 @@ struct HeadlineSpec {
 };
 
 /// The number of inputs with respect to which a drift is differentiated; inputs.hpp lists them.
-inline constexpr std::size_t kInputCount = 47;
+inline constexpr std::size_t kInputCount = 59;
 
 struct Scenario {
   // The special members are defined in one source file, to save compile time in the others.

@@ -58,9 +58,8 @@ struct Axes {
 /// Whether nothing but a gravity gradient acts, the one applied torque for which kicked_axes has a formula.
 bool is_gradient_alone(const AppliedTorques<double>& applied) {
   bool alone = true;
-  const auto look = ByKind{[&](double coefficient) { alone = alone && coefficient == 0; },
-                           [](const std::array<GradientTerm<double>, 2>&) {}, [](bool) {}};
-  for_each_member(look, applied);
+  for_each_coefficient([&](double coefficient) { alone = alone && coefficient == 0; },
+                       [](const std::array<GradientTerm<double>, 2>&) {}, applied);
   return alone;
 }
 

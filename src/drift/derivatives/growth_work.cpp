@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "drift/given_impulse.hpp"
 #include "earthtop/drift/growth.hpp"
 #include "earthtop/model/reduced_torques.hpp"
 
@@ -24,7 +25,8 @@ bool has_smooth_series(const MotionProblem<double>& problem, double duration_s) 
     I3 = model.I_BP_B(axis, axis), w3 = problem.natural_release().w_XB_B[axis];
   }
   const double carrier_rate = model.platform.turn.largest_rate(end) + norm(model.W_IL_L);
-  return friction_stays_smooth(model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
+  return (!model.applied.has_corner() || given_torque_keeps_spin(model.applied.given, I3, w3, end)) &&
+         friction_stays_smooth(model.applied, I3, w3, carrier_rate, problem.fastest_rate, end);
 }
 
 Work growth_work(const MotionProblem<double>& problem, double duration_s, double relative_tolerance) {

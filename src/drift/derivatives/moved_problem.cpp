@@ -28,12 +28,11 @@ Gradient sum_of(const Gradient& a, double h, const Gradient& b) {
 
 /// Adds h times the torques of an input.
 void add(double h, const AppliedTorques<double>& d, AppliedTorques<double>& applied) {
-  const auto add_one = ByKind{[h](double coefficient, double& sum) { sum += h * coefficient; },
-                              [h](const Gradient& gradient, Gradient& sum) {
-                                if (gradient[0].strength != 0 || gradient[1].strength != 0) sum = sum_of(sum, h, gradient);
-                              },
-                              [](bool, bool&) {}};  // no input turns a gimbal on
-  for_each_member(add_one, d, applied);
+  for_each_coefficient([h](double coefficient, double& sum) { sum += h * coefficient; },
+                       [h](const Gradient& gradient, Gradient& sum) {
+                         if (gradient[0].strength != 0 || gradient[1].strength != 0) sum = sum_of(sum, h, gradient);
+                       },
+                       d, applied);  // no input turns a gimbal on
   applied.any = true;
 }
 

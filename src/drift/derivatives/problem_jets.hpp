@@ -89,9 +89,9 @@ inline Model<Jet> jets_of(const Model<double>& model, const Inputs& inputs) {
   for (std::size_t k = 0; k < inputs.size(); ++k) {
     using Gradient = std::array<GradientTerm<double>, 2>;
     const auto number = [k](double d, Jet& jet) { jet.d[k] = d; };
-    const auto of_torques =
-        ByKind{number, [k](const Gradient& d, std::array<GradientTerm<Jet>, 2>& terms) { differentiate_gradient(d, k, terms); },
-               [](bool, bool&) {}};  // no input turns a gimbal on
+    const auto of_gradient = [k](const Gradient& d, std::array<GradientTerm<Jet>, 2>& terms) {
+      differentiate_gradient(d, k, terms);
+    };
     const auto of_model = ByKind{
         number,
         [k]<int rows, int columns>(const Eigen::Matrix<double, rows, columns>& d, Eigen::Matrix<Jet, rows, columns>& jet) {
@@ -99,7 +99,7 @@ inline Model<Jet> jets_of(const Model<double>& model, const Inputs& inputs) {
             for (int j = 0; j < columns; ++j) jet(i, j).d[k] = d(i, j);
         },
         [&](const AppliedTorques<double>& d, AppliedTorques<Jet>& jet) {
-          for_each_member(of_torques, d, jet);
+          for_each_coefficient(number, of_gradient, d, jet);  // no input turns a gimbal on
           jet.any = jet.any || d.any;
         },
         [](const TideSeries<double>&, TideSeries<Jet>&) {}};

@@ -29,9 +29,9 @@ class ToParameter {
   std::shared_ptr<const AngleSpline<Recorded>> operator()(const std::shared_ptr<const AngleSpline<Jet>>&) const {
     return ToRecorded<double>()(beside_.model.platform.turn.table);
   }
-  /// Derivatives of motions with moving masses are found by differences.
+  /// The table of a given torque. Derivatives of motions with moving masses are found by differences.
   std::shared_ptr<const PiecewisePath<Recorded>> operator()(const std::shared_ptr<const PiecewisePath<Jet>>&) const {
-    return nullptr;
+    return ToRecorded<double>()(beside_.model.applied.given.table);
   }
   TideSeries<Recorded> operator()(const TideSeries<Jet>&) const {
     TideSeries<Recorded> tide(beside_.model.tide);

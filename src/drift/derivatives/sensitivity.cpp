@@ -81,7 +81,7 @@ class SymmetricTop : public OnPivot<DrivenReducedDrift<Jet, Observer::laboratory
     const Mat3<double>& I = d.I_BP_B;
     const Vec3<double>& m = d.mass_moment_B;
     return I(i, i) == I(j, j) && I(i, j) == 0 && I(i, axis) == 0 && I(j, axis) == 0 && m[i] == 0 && m[j] == 0 &&
-           d.coriolis == 0 && d.centrifugal == 0 && d.release == 0 && (axis == 2 || !d.applied.has_disc());
+           d.coriolis == 0 && d.centrifugal == 0 && d.release == 0 && d.applied.is_symmetric_about(axis);
   }
   BesideJets beside_;
   System system_;
@@ -182,7 +182,8 @@ DriftSensitivity in_groups(const std::vector<ProblemDerivative>& inputs, const A
 bool keeps_symmetry(const TableDerivative& d) {
   const Mat3<double>& I = d.contact.I_BC_B;
   const Vec3<double>& center = d.contact.p_OC_B;
-  return I(0, 0) == I(1, 1) && I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0 && center[0] == 0 && center[1] == 0;
+  return I(0, 0) == I(1, 1) && I(0, 1) == 0 && I(0, 2) == 0 && I(1, 2) == 0 && center[0] == 0 && center[1] == 0 &&
+         d.contact.air.viscous_1 == d.contact.air.viscous_2;
 }
 
 }  // namespace

@@ -89,7 +89,8 @@ struct SpinlessMotionEquations {
     SeenBesideAxis<T> seen;
     seen.n = n, seen.u = u, seen.w3 = w3 + x[9];
     seen.field = pivot_field<SceneKind::full>(model, t).rotating_L;
-    for (std::size_t i = 0; i < 2; ++i) seen.gradient[i] = model.applied.gradient[i].direction_L;
+    see_torques(
+        top, model, t, [](const Vec3<T>& u_L) { return u_L; }, seen);
     if (model.applied.friction()) seen.w_IP = applied_motion::Carrier<T>(model.platform, t).w_LP_L + W;
     const AxisTorques<T> torques = axis_torques<T, T>(top, model, moment_factor(top, n), seen);
     using real::conserved;
@@ -117,7 +118,8 @@ struct WheelMotionEquations {
     const auto [e, n] = turned_axis(x[0], x[1], east, north);
     const Vec3<T>& W = model.W_IL_L;
     const CompassMotion<T> motion{e, n, x[2], w3 + x[3]};
-    const CompassRates<T> rates = compass_rates<T, T>(model, top, motion, W, pivot_field<SceneKind::full>(model, t).rotating_L);
+    const CompassRates<T> rates =
+        compass_rates<T, T>(model, top, motion, W, pivot_field<SceneKind::full>(model, t).rotating_L, t);
     dxdt[0] = -(x[2] / T(2)) * x[1];
     dxdt[1] = (x[2] / T(2)) * x[0];
     dxdt[2] = rates.p;

@@ -7,9 +7,9 @@
 ///
 ///   dp/dt = z.tau / I1 - ((I3/I1) w3 - W.n) n.(z x W) - (damping / I1) p ,   dw3/dt = n.tau / I3
 ///
-/// where tau are the torques of gravity, of its gradient and of friction. The non-rotating prediction has W = 0. Both motions
-/// are pairs (Paired): one of them is integrated, the base; the other is the base and the deviation. So no two nearly equal
-/// motions are subtracted.
+/// where tau are the torques of gravity, of its gradient and of friction, and a given one. The non-rotating prediction has W =
+/// 0. Both motions are pairs (Paired): one of them is integrated, the base; the other is the base and the deviation. So no two
+/// nearly equal motions are subtracted.
 ///
 /// The state: [0] cos and [1] sin of half the base's angle since the release   [2] p   [3] w3 minus that at release   [4] spin
 /// phase relative to the laboratory minus that of a steady spin   [5] w and [6] y, of the turn (w, epsilon y z) about z from the
@@ -56,10 +56,10 @@ struct CompassRates {
 };
 
 /// @param T  a number, or a scalar that records operations   @param S  T, or a pair of T
-/// @param W_L  the Earth's rate that the motion feels (for a pair: 0 for the reference)
+/// @param W_L  the Earth's rate that the motion feels (for a pair: 0 for the reference)   @param t  time
 template <class T, class S>
 CompassRates<S> compass_rates(const Model<T>& model, const ReducedTop<T>& top, const CompassMotion<S>& x, const Vec3<S>& W_L,
-                              const Vec3<S>& field_L) {
+                              const Vec3<S>& field_L, const T& t) {
   const AppliedTorques<T>& applied = model.applied;
   const S& e = x.n_east;
   const S& n = x.n_north;
@@ -80,6 +80,19 @@ CompassRates<S> compass_rates(const Model<T>& model, const ReducedTop<T>& top, c
     const S coefficient = friction_coefficient(applied, S(x.p * x.p + spin * spin));
     damping += coefficient;
     spinning = -(S(T(1) / top.I3) * spin_friction_coefficient(applied, coefficient, spin)) * spin;
+    if (applied.has_viscous_axes()) {
+      damping += S(applied.viscous_1);
+      spinning -= S(applied.viscous_3 / top.I3) * spin;
+    }
+  }
+  if (applied.given.acts) {
+    const Vec3<T> given = applied.given.at(t);
+    if (applied.given.in_laboratory) {
+      p += S(given[2] / top.I1);
+      spinning += S(T(1) / top.I3) * (S(given[0]) * e + S(given[1]) * n);
+    } else {
+      spinning += S(given[2] / top.I3);
+    }
   }
   p -= S(T(1) / top.I1) * damping * x.p;
   return {p, spinning};
@@ -105,7 +118,7 @@ struct CompassEquations {
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     const Vec3<Paired<T>> W_L = paired_vector(Vec3<T>(Vec3<T>::Zero()), model.W_IL_L, model.W_IL_L_scaled);
     const Vec3<Paired<T>> field_L = paired_vector(field.reference_L, field.rotating_L, field.difference_L_scaled);
-    const CompassRates<Paired<T>> rates = compass_rates<T, Paired<T>>(model, top, both, W_L, field_L);
+    const CompassRates<Paired<T>> rates = compass_rates<T, Paired<T>>(model, top, both, W_L, field_L, t);
     const T turning = x[2] / T(2);
     dxdt[0] = -turning * x[1];
     dxdt[1] = turning * x[0];

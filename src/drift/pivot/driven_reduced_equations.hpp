@@ -46,9 +46,9 @@ struct DrivenReducedEquations {
   void operator()(const State& x, State& dxdt, T t) const {
     const Vec3<T> n = load_vector(x, 0), u = load_vector(x, 3), a = load_vector(x, 6);
     const Vec3<T> y = load_vector(x, 12), V = load_vector(x, 15);
-    const bool friction = model.applied.friction();
+    const bool spins = model.applied.changes_spin();
     const T &w = x[11], &epsilon = model.epsilon;
-    const T spin_change = friction ? x[9] : T(0), k = friction ? x[18] : k_at_release;
+    const T spin_change = spins ? x[9] : T(0), k = spins ? x[18] : k_at_release;
     const Vec3<T> s = u.cross(n), v = V + k * n;
     const Mat3<T> M = turn_back_minus_one_matrix(w, y, epsilon);
     const auto see = [&](const Vec3<T>& u_L, const Vec3<T>& change_L) { return seen(u_L, change_L, t, M); };
@@ -108,9 +108,8 @@ struct DrivenReducedEquations {
     seen.n = paired_vector(n);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     seen.field = see(field.reference_L, field.difference_L_scaled);
-    const Vec3<T> unchanged = Vec3<T>::Zero();
-    for (std::size_t i = 0; i < 2; ++i)
-      if (model.applied.gradient[i].strength != T(0)) seen.gradient[i] = see(model.applied.gradient[i].direction_L, unchanged);
+    see_torques(
+        top, model, t, [&](const Vec3<T>& u_L) { return see(u_L, Vec3<T>(Vec3<T>::Zero())); }, seen);
     const T spin = w3 + spin_change;
     seen.u = paired_vector(u, V, model.epsilon);
     seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);

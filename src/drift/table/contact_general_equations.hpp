@@ -101,6 +101,13 @@ class ContactGeneralEquations {
     if constexpr (Shape::kHasIntegrals) {
       dxdt[Shape::kWork] = friction_power(contact_, found.reaction, s.v_P, found.w, &P::ref);
       dxdt[kHalf + Shape::kWork] = friction_power(contact_, found.reaction, s.v_P, found.w, &P::rot);
+      if (contact_.air.acts()) {
+        const Vec3<P> z = surroundings(t).normal, r_c = times(s.R, pairs_.p_OC_B);
+        const Vec3<P> v_C = s.v_P + pairs_.tip_radius * Vec3<P>(found.w.cross(z)) + Vec3<P>(found.w.cross(r_c));
+        const Vec3<P> torque = times(s.R, air_torque_B(pairs_.air, transposed_times(s.R, found.w)));
+        dxdt[Shape::kWork] = dxdt[Shape::kWork] + air_power(pairs_, torque, found.w, v_C, &P::ref);
+        dxdt[kHalf + Shape::kWork] = dxdt[kHalf + Shape::kWork] + air_power(pairs_, torque, found.w, v_C, &P::rot);
+      }
     }
   }
 

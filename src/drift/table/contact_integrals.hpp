@@ -33,6 +33,18 @@ T friction_power(const Contact<T>& contact, const ContactReaction<Paired<T>>& re
   return power;
 }
 
+/// The power of the air.   @param torque  of the air about C   @param v_C  velocity of the centre of mass relative to the
+/// laboratory
+template <class T>
+T air_power(const Contact<Paired<T>>& contact, const Vec3<Paired<T>>& torque, const Vec3<Paired<T>>& w,
+            const Vec3<Paired<T>>& v_C, T Paired<T>::*motion) {
+  T power = T(0);
+  if (contact.air.turns) power = inner(motion_of(torque, motion), motion_of(w, motion));
+  if (contact.air.pulls)
+    power = power + (contact.mass.*motion) * inner(motion_of(air_acceleration(contact, v_C), motion), motion_of(v_C, motion));
+  return power;
+}
+
 /// r L_C.(W x z) + M.rho of one motion of a symmetric body.
 template <class T>
 T jellett_power(const Contact<T>& contact, const ContactReaction<Paired<T>>& reaction,

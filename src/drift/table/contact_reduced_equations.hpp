@@ -157,6 +157,17 @@ class ContactReducedEquations {
         dxdt[half + Shape::kWork] = friction_power(contact_, reaction, s.v_P, w, motion);
         dxdt[half + Shape::kJellett] = jellett_power(contact_, reaction, around, s, motion);
       }
+      if (!contact_.air.acts()) return;
+      const Vec3<P> torque = air_torque_beside_axis(pairs_.air, w, s.n);
+      const Vec3<P> v_O = s.v_P + pairs_.tip_radius * Vec3<P>(w.cross(around.normal));
+      const Vec3<P> v_C = v_O + pairs_.height_of_center * Vec3<P>(w.cross(s.n));
+      const Vec3<P> rho = pairs_.tip_radius * around.normal + pairs_.height_of_center * s.n;
+      for (const auto& [motion, half] : {std::pair(&P::ref, std::size_t(0)), std::pair(&P::rot, kHalf)}) {
+        dxdt[half + Shape::kWork] = dxdt[half + Shape::kWork] + air_power(pairs_, torque, w, v_C, motion);
+        if (contact_.air.turns)
+          dxdt[half + Shape::kJellett] =
+              dxdt[half + Shape::kJellett] + inner(motion_of(torque, motion), motion_of(rho, motion));
+      }
     }
   }
 

@@ -48,6 +48,7 @@ class PiecewisePath<real::Recorded<T>> {
   explicit PiecewisePath(std::shared_ptr<const PiecewisePath<T>> path) : path_(std::move(path)) {}
 
   PointOnPath<Scalar> at(const Scalar& t) const { return {derivative(t, 0), derivative(t, 1), derivative(t, 2)}; }
+  Vec3<Scalar> place(const Scalar& t) const { return derivative(t, 0); }
 
  private:
   Vec3<Scalar> derivative(const Scalar& t, int order) const {

@@ -263,6 +263,10 @@ def leaves_out(text):
 TREND = [
     Case(RUN, "± is a bound; the rates of the motions' Fourier sums tell it, for all time; the run covers",
          set={"/motion/duration_s": 1.5, "/numerics/method": "fourier"}, unless={"/numerics/method": "taylor"}, holds=all_time),
+    Case(RUN, "no more than that, as the support is not equally stiff", set={"/effects": {"unequal_support": {"kappa_N_m": 1e-4}}},
+         unless={"/effects": {}}),
+    Case(RUN, "no more than that, as a given torque acts",
+         set={"/effects": {"given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-6]}}}, unless={"/effects": {}}),
     Case(RUN, "no more than that, as a gimbal holds the axis", scenario="hard/t08-gyrocompass",
          set={"/release": {"tilt_deg": 90, "azimuth_deg": 40, "angular_velocity_body_rad_s": [5, 0, 628]}},
          unless={"/release": {"tilt_deg": 90, "azimuth_deg": 40, "spin_rad_s": 628}}),

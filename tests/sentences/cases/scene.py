@@ -40,6 +40,11 @@ def explain(says, scenario="toy-top", **more):
     return Case("explain s.json", says, scenario, **more)
 
 
+def figures(says, scenario="toy-top", **more):
+    more["set"] = {"/motion/duration_s": 1, **more.get("set", {})}
+    return Case("run s.json --out out --force --long", says, scenario, **more)
+
+
 # The release.
 
 START = [
@@ -55,6 +60,31 @@ EFFECTS = [
     refused("/effects/coulomb_torque_N_m: is not available with a gimbal; give the gimbal a damping instead",
             set={**LEVEL, "/effects/coulomb_torque_N_m": 1e-6},
             unless={"/effects/coulomb_torque_N_m": None, "/effects/gimbal": {"damping_N_m_s": 1e-6}}),
+    refused("kappa_N_m and periods_s are both given; give exactly one",
+            set={"/effects/unequal_support": {"kappa_N_m": 0.1, "periods_s": [1, 2]}},
+            unless={"/effects/unequal_support": {"kappa_N_m": 0.1}}),
+    refused("/effects/unequal_support: is not available with /platform: its direction is at rest in the laboratory",
+            set={"/effects/unequal_support": {"kappa_N_m": 0.1}, "/platform": TURNING}, unless={"/platform": None}),
+    refused("/effects/given_torque: is not available with /contact: it acts on a body about a pivot, and a tip is free",
+            TABLE, set={"/effects/given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-3]}}, unless={"/contact": None}),
+    refused("/effects/unequal_support: is not available with /gimbals: a gimbal's springs are its torsion_N_m_rad",
+            "through-gimbal-lock", set={"/effects/unequal_support": {"kappa_N_m": 0.1}}, unless={"/effects": None}),
+    refused("/effects/given_torque: is not available with /gimbals: it acts on a body about a pivot; leave one of the two out",
+            "through-gimbal-lock", set={"/effects/given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-3]}},
+            unless={"/effects": None}),
+    refused("are the times in seconds and the torques in N m",
+            set={"/effects/given_torque": {"axes": "body", "course": "table", "file": "torques.csv"}, "/motion/duration_s": 1},
+            files={"torques.csv": "t_s,x_N_m,y_N_m,z_N_m\n0,0,0,0\n1e-9,0,0,10\n0.5,0,0,0\n1,0,0,0\n"},
+            unless={"/effects": None}),
+    explain("given_torque modelled ? ? ? ? not sized, since a table gives it",
+            set={"/effects/given_torque": {"axes": "body", "course": "table", "file": "torques.csv"}},
+            files={"torques.csv": "t_s,x_N_m,y_N_m,z_N_m\n0,0,0,0\n0.3,0,0,1e-4\n0.6,0,0,0\n1,0,0,0\n"},
+            unless={"/effects": None}),
+    figures("the rates are those at release, without the given torque",
+            set={"/effects/given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-3]}}, unless={"/effects": None}),
+    figures("precession, nutation and critical spin: the support is not equally stiff, so that gravity is not the only torque",
+            set={"/effects/unequal_support": {"kappa_N_m": 0.01}}, unless={"/effects": None}),
+    figures("precession, nutation and critical spin: the gimbal holds the axis level", set=LEVEL, unless={"/effects": None}),
     refused("/effects/tide: of Moon and Sun is computed for at most 3.2e7 s, a year; take a shorter duration, or a given amplitude",
             set={"/effects/tide": True, "/motion/start_utc": "2026-01-01T00:00:00Z", "/motion/duration_s": 3.201e7,
                  "/motion/output_step_s": 1e5}, unless={"/motion/duration_s": 3.2e7}),

@@ -20,6 +20,17 @@ def rubbed(text):
             abs(float(drift[1]) - float(drift[3])) <= float(drift[2]) and near(float(drift[3]) * ARCSECOND, UP * 20, 0.1))
 
 
+def held(text):
+    """The rates of a pendulum with the moment of its bob, along the stiffness and across it; and what the Earth would turn."""
+    moment, weight = 5 * 9 + 0.01, 5 * 9.80926 * 3
+    along, across = math.sqrt((weight + 0.06) / moment), math.sqrt(weight / moment)
+    turning = OMEGA * math.sin(math.radians(48.8462)) * (1 - 0.01 / (2 * moment))
+    return (near(number(text, "the swing along it has the rate", " rad/s"), along, 1e-6) and
+            near(number(text, "that across it", " rad/s. The two"), across, 1e-6) and
+            near(number(text, "get out of step by one turn in", " s"), 2 * math.pi / (along - across), 1e-3) and
+            near(number(text, "turn the plane of the swing by", " rad/s"), turning, 1e-3))
+
+
 def balanced(text):
     """The axis turns about the celestial axis by Omega t sin(angle), as the last row does."""
     said = re.search(r"drift of the axis is ([0-9.]+)″ ± ([0-9.]+)″ in theory and ([0-9.]+)″", text)
@@ -126,6 +137,10 @@ CASES = [
          unless={"/release/rates_relative_to": "laboratory"}),
     Case(RUN, "Gravity acts along the axis about which the laboratory turns, and both predictions", scenario="north-pole",
          unless={"/site/latitude_deg": 89}),
+    Case(RUN, ["The support is stiffer along the azimuth of 30°: the swing along it has the rate",
+               "in which the swing opens to an ellipse and closes again",
+               "so that its turn does not add up from swing to swing"], scenario="anisotropic-pendulum",
+         set={"/motion/duration_s": 100}, holds=held, unless={"/effects/unequal_support/kappa_N_m": 1e-3}),
     Case(RUN, "The outer gimbal swings about its place of rest with a period of", scenario="gyrocompass-in-gimbals",
          holds=lambda text: near(number(text, "its place of rest with a period of", " s,"),
                                  number(text.split("its place of rest with a period of")[1], " s,", " s in this run"), 0.01),
