@@ -27,7 +27,7 @@ bool rounds_to_nearest() {
 }
 
 bool keeps_all_digits_of_long_double() {
-  const long double one = opaque(1.0L), last = opaque(std::numeric_limits<float80>::epsilon());
+  const long double one = opaque(1.0L), last = opaque(std::numeric_limits<long double>::epsilon());
   return opaque(one + last) - one == last;
 }
 
@@ -57,7 +57,7 @@ std::string arithmetic_faults() {
   };
   expect(!exceptions_trap(), "floating-point exceptions are trapped");
   const NoTraps none;  // the questions below raise some
-  const bool nearest = rounds_to_nearest<double>() && rounds_to_nearest<float80>();
+  const bool nearest = rounds_to_nearest<double>() && rounds_to_nearest<long double>();
   expect(nearest, "numbers are not rounded to nearest");
   expect(!nearest || keeps_all_digits_of_long_double(), "long double is rounded to fewer digits than it has");
   const double least = opaque(std::numeric_limits<double>::denorm_min()), normal = opaque(std::numeric_limits<double>::min());

@@ -178,7 +178,7 @@ template <class LongDouble>
 requires(std::numeric_limits<LongDouble>::digits == 64) struct Float80<LongDouble> {
   using type = LongDouble;
 };
-using float80 = typename Float80<float80>::type;
+using float80 = typename Float80<long double>::type;
 
 }  // namespace earthtop
 
