@@ -20,8 +20,8 @@ pytest.importorskip("wheel")
     ("3.0.0", {">=1.24"}),
 ])
 def test_numpy_by_version_of_pybind11(pybind11, limits, tmp_path):
-    """In front of the pybind11 of this machine CMake is given one of another version, in which there is nothing else."""
-    (tmp_path / "pybind11Config.cmake").write_text("")
+    """In front of the pybind11 of this machine CMake is given one of another version, in which there is nothing but its name."""
+    (tmp_path / "pybind11Config.cmake").write_text("add_library(pybind11::module INTERFACE IMPORTED)\n")
     (tmp_path / "pybind11ConfigVersion.cmake").write_text(f"set(PACKAGE_VERSION {pybind11})\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n")
     code = "import setuptools.build_meta, sys; setuptools.build_meta.prepare_metadata_for_build_wheel(sys.argv[1])"
     subprocess.run([sys.executable, "-c", code, tmp_path], cwd=PACKAGE, check=True, stdout=subprocess.DEVNULL,
