@@ -54,19 +54,19 @@ inline std::vector<EffectCase> driving_cases() {
               [](Applied& a) { a.air_drag = AirDragSpec{.disc_radius_m = 0.1, .flow = DiscFlow::turbulent}; }),
       applied("viscous_torque", "viscous across and along",
               [](Applied& a) {
-                a.viscous_by_axis_N_m_s = {3e-6, 3e-6, 1e-6};
+                a.viscous_by_axis_N_m_s = {6e-7, 6e-7, 2e-7};
               }),
       applied("unequal_support", "support",
               [](Applied& a) { a.unequal_support = UnequalSupportSpec{.kappa_N_m = 4e-3, .azimuth_deg = 35}; }),
       applied("given_torque", "torque along the axis",
               [](Applied& a) {
-                a.given_torque = GivenTorqueSpec{.torque_N_m = {0, 0, -2e-4}};
+                a.given_torque = GivenTorqueSpec{.torque_N_m = {0, 0, -1.5e-3}};
               }),
       applied("given_torque", "torque of the laboratory",
               [](Applied& a) {
                 a.given_torque = GivenTorqueSpec{.course = TorqueCourse::harmonic,
                                                  .axes = TorqueAxes::laboratory,
-                                                 .torque_N_m = {5e-4, -4e-4, 3e-4},
+                                                 .torque_N_m = {1e-4, -8e-5, 6e-5},
                                                  .frequency_hz = 0.8,
                                                  .phase_deg = 40};
               }),
