@@ -39,7 +39,7 @@ int finiteq(float128) noexcept;
 
 namespace earthtop {
 
-static_assert(std::numeric_limits<float80>::digits == 113, "neither __float128 nor a long double of 113 bits");
+static_assert(std::numeric_limits<long double>::digits == 113, "neither __float128 nor a long double of 113 bits");
 using float128 = long double;
 
 inline float128 sqrtq(float128 x) noexcept { return std::sqrt(x); }
