@@ -303,7 +303,7 @@ TEST(Apparatus, TheForceOfTheAirBrakesABallOnATable) {
   force.linear_N_s_m = 0.01, force.quadratic_N_s2_m2 = 0.02;
   s.effects.applied.air_force = force;
   const double a = 0.1, b = 0.2, v0 = 0.8, path = std::log1p(b * v0 / a * -std::expm1(-a * s.duration_s)) / b;
-  const auto& contact = result_of(s).rows.back().contact;
+  const auto contact = result_of(s).rows.back().contact;
   ASSERT_TRUE(contact);
   // the floor of the speed, 1 mm/s, is seen with its square over that of 0.5 m/s: 2e-6
   EXPECT_NEAR(contact->ref_tip_m[0], path, 2e-6 * (v0 * s.duration_s - path));
@@ -326,7 +326,7 @@ TEST(Apparatus, ForceAndTorqueOfTheAirBrakeARollingBall) {
     force.linear_N_s_m = 0.01;
     s.effects.applied.air_force = force, s.effects.applied.viscous_N_m_s = 4e-6;
     const double rate = (0.01 + 4e-6 / 4e-4) / (0.1 + 1.6e-5 / 4e-4), v0 = 0.02 * 30;
-    const auto& contact = result_of(s).rows.back().contact;
+    const auto contact = result_of(s).rows.back().contact;
     ASSERT_TRUE(contact);
     // 100 rad of turns with 1e-14 each
     EXPECT_NEAR(contact->ref_tip_m[0], v0 / rate * -std::expm1(-rate * s.duration_s), 1e-11);
