@@ -162,6 +162,10 @@ RoundedTo64Bits<L> fma(RoundedTo64Bits<L> x, RoundedTo64Bits<L> y, RoundedTo64Bi
   return RoundedTo64Bits<L>(std::fma(x.value(), y.value(), z.value()));
 }
 template <class L>
+RoundedTo64Bits<L> pow(RoundedTo64Bits<L> x, RoundedTo64Bits<L> y) {
+  return RoundedTo64Bits<L>(std::pow(x.value(), y.value()));
+}
+template <class L>
 RoundedTo64Bits<L> fmod(RoundedTo64Bits<L> x, RoundedTo64Bits<L> y) {
   return RoundedTo64Bits<L>(std::fmod(x.value(), y.value()));
 }
