@@ -31,7 +31,7 @@ struct Table {
   }
 };
 
-/// What sine and cosine need: pi / 2 as a sum of three numbers, the first two with so few bits that their products with the multiples
+/// The constants of sine and cosine: pi / 2 as a sum of three numbers, the first two with so few bits that their products with the multiples
 /// needed are exact; and the coefficients of the series in the square of the angle, from r^3 / 3! and r^4 / 4! on. The first terms left
 /// out are r^21 / 21! and r^22 / 22!, below 2^-72.
 struct Circle {

@@ -78,7 +78,7 @@ if [[ ! -x $python13/usr/bin/python3-from-here ]]; then
   mkdir -p "$python13"
   mmdebstrap --quiet --mode=root --variant=minbase --dpkgopt=force-unsafe-io \
     --include=python3-dev,pybind11-dev,python3-numpy,python3-pip,python3-setuptools,python3-wheel trixie "$python13" http://deb.debian.org/debian
-  # Of the headers only those of Python and pybind11: the compiler must not see another C library's.
+  # The only headers taken are those of Python and pybind11: the compiler must not see another C library's.
   find "$python13"/usr/include{,/x86_64-linux-gnu} -mindepth 1 -maxdepth 1 ! -name 'python3*' ! -name pybind11 ! -name x86_64-linux-gnu \
     -exec rm -rf {} +
   libraries=$python13/usr/lib/x86_64-linux-gnu

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a given torque may do to a spin within a motion.
+/// The change that a given torque may make to a spin within a motion.
 #pragma once
 
 #include "earthtop/model/applied_torques.hpp"

@@ -7,7 +7,7 @@
 namespace earthtop::report {
 
 std::string_view page_style();
-/// Of the page of a run, of a study, and of everything else.
+/// The scripts of a run's page, of a study's, and of every other.
 std::string_view run_script();
 std::string_view study_script();
 std::string_view other_script();

@@ -8,7 +8,7 @@
 
 namespace earthtop {
 
-/// Of a page that has no places of the Sun and the Moon, which a date, a tide and chosen effects need.
+/// The reason for scenes with a date, a tide or chosen effects, which need these places.
 inline constexpr const char* kNoSunOrMoon = "a page has no places of the Sun and the Moon";
 
 /// Why the page does not run a scene: what is in the way and, after a semicolon, the remedy. Empty if it does.

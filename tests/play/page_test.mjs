@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page to play with does without a browser: the links that hold a scene, hostile ones among them, and the texts of the sheets.
+// The page to play with without a browser: the links that hold a scene, hostile ones among them, and the texts of the sheets.
 //
 // usage: page_test.mjs PAGE.html ENGINE_DIRECTORY
 import { readFileSync } from "node:fs";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the engine of the page to play with draws, compiled for the processor at hand: it fits the library as it is.
+// The drawing code of the page's engine, compiled for the processor at hand: it fits the library as it is.
 #include "../../tools/play/engine/pictures.hpp"
 
 #include <gtest/gtest.h>

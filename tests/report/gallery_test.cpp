@@ -135,7 +135,7 @@ TEST(StudyPicture, DrawsWhatTheFindingTells) {
   EXPECT_EQ(all_matches(picture, "(<path d=\"M[0-9.]* [0-9.]*V)").size(), 2U) << picture;
 }
 
-// Of settings that are changed one at a time each has the change that it makes.
+// Each of several settings that are changed one at a time has the change that it makes.
 TEST(StudyPicture, ShowsTheChangeOfEachSetting) {
   using report::Json;
   const Json study =

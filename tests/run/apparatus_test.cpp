@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What real apparatus does to a top, against closed forms and integrations of the tests' own: friction of body axes apart, a
+// The effects of real apparatus on a top, against closed forms and integrations of the tests' own: friction of body axes apart, a
 // given torque, a pendulum on an unequal support, and the air about a top on a table.
 #include <gtest/gtest.h>
 

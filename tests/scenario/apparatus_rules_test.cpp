@@ -5,6 +5,7 @@
 
 #include "earthtop/scenario/scenario.hpp"
 #include "earthtop/scene/scene.hpp"
+#include "support/refusals.hpp"
 
 namespace earthtop::apparatus_rules {
 namespace {
@@ -16,17 +17,11 @@ constexpr const char* kScene = R"({
   "motion": {"duration_s": 0.5}
 })";
 
-struct Refusal {
-  Overrides changes;
-  const char* pointer;  ///< of one of the findings
-  const char* words;    ///< in its message
-};
-
 constexpr const char* kTable = R"({"tip_radius_m": 0.002, "law": "frictionless"})";
 constexpr const char* kGimbals = R"({"outer": {"mass_kg": 0.15, "inertia": {"principal_kg_m2": [4e-4, 4e-4, 3e-4]}}})";
 constexpr const char* kAngles = R"({"outer_angle_deg": 20, "inner_angle_deg": 60})";
 
-const Refusal kRefusals[] = {
+const testing::Refusal kRefusals[] = {
     {{{"/effects/viscous_torque_N_m_s", "-1"}}, "/effects/viscous_torque_N_m_s", "from 0"},
     {{{"/effects/viscous_torque_N_m_s", "[1, 2]"}}, "/effects/viscous_torque_N_m_s", "a number, or an array of 3 numbers"},
     {{{"/effects/viscous_torque_N_m_s", "[1, 2, -3]"}}, "/effects/viscous_torque_N_m_s/2", "from 0"},
@@ -99,22 +94,7 @@ const Refusal kRefusals[] = {
 };
 
 TEST(ApparatusRules, BadInputIsRefusedWithPlaceAndRemedy) {
-  for (const Refusal& refusal : kRefusals) {
-    SCOPED_TRACE(fmt::format("{} {}", refusal.changes.front().first, refusal.changes.front().second));
-    try {
-      const Scene scene = parse_scene({"apparatus.json", kScene}, refusal.changes);
-      scene.require_integrable();
-      ADD_FAILURE() << "is taken";
-    } catch (const ScenarioError& error) {
-      bool found = false;
-      std::string said;
-      for (const Diagnostic& one : error.diagnostics()) {
-        said += one.pointer + ": " + one.message + '\n';
-        found = found || (one.pointer == refusal.pointer && one.message.find(refusal.words) != std::string::npos);
-      }
-      EXPECT_TRUE(found) << said;
-    }
-  }
+  for (const testing::Refusal& refusal : kRefusals) testing::expect_refused({"apparatus.json", kScene}, refusal);
 }
 
 TEST(ApparatusRules, WhatActsIsWrittenAndReadAgain) {

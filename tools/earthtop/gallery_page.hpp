@@ -11,7 +11,7 @@
 
 namespace earthtop::tool {
 
-/// What a page is made of.
+/// The parts of a page.
 struct GalleryItem {
   std::string name;  ///< of the page without its extension: "toy-top", "study-latitude"
   const Example* source;

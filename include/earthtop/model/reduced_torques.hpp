@@ -62,7 +62,7 @@ AxisTorques<S> axis_torques(const ReducedTop<T>& top, const Model<T>& model, con
     torques.across += S(S(factor) * dot(seen.n, u)) * Vec3<S>(u.cross(seen.n));
   }
   if (applied.support.acts()) {
-    // What East and North of the stiffness do apart: K_EE n_E (E x n), K_EN (n_N E + n_E N) x n, K_NN n_N (N x n)
+    // The torques of the stiffness along East and North and between them: K_EE n_E (E x n), K_EN (n_N E + n_E N) x n, K_NN n_N (N x n)
     const SupportStiffness<T>& K = applied.support;
     const S n_east = dot(seen.n, seen.east), n_north = dot(seen.n, seen.north);
     const S of_east = S(K.east / top.I1) * n_east + S(K.east_north / top.I1) * n_north;
