@@ -91,7 +91,7 @@ Friction<S> friction(const Contact<S>& contact, const Vec3<S>& v_P, const Vec3<S
   return f;
 }
 
-/// The torque of the air about the centre of mass.   @param w  rate relative to the table, in body axes as the result
+/// The torque of the air about the centre of mass.   @param w_B  rate relative to the table, in body axes as the result
 template <class S>
 Vec3<S> air_torque_B(const AirOnTable<S>& air, const Vec3<S>& w_B) {
   using real::sqrt;

@@ -13,6 +13,7 @@
 #include "earthtop/error.hpp"
 #include "earthtop/frames/site.hpp"
 #include "earthtop/frames/tide_spec.hpp"
+#include "earthtop/frames/travel_spec.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
@@ -98,6 +99,7 @@ struct Scenario {
   bool sensitivities = false;  ///< whether derivatives of the drift by the inputs are requested
   /// Standard errors of the inputs, in the order and units of the table in inputs.hpp; 0 where not given.
   std::optional<std::array<double, kInputCount>> uncertainty;
+  std::optional<TravelSpec> travel;  ///< the laboratory's journey; none: it stays at the site
 };
 
 /// The times of a scenario's output rows: k x step, and exactly the duration at the end. A k x step within 1e-9 step of the

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A journey of the laboratory as a scenario gives it.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "earthtop/frames/angle_table.hpp"
+
+namespace earthtop {
+
+/// `rhumb`: constant course. `geodesic`: the straightest line on the surface of constant height. `table`: places at given times.
+enum class TravelPath { rhumb, geodesic, table };
+/// The motion that the drift is measured from: the same journey on an Earth that stands still, or the laboratory that stays at the
+/// place of the release on the Earth that turns.
+enum class TravelReference { same_path, at_rest };
+/// Which motions feel the plumb line lean by -2 W x v (Coriolis force on the laboratory): the rotating one, both, or none.
+enum class TravelEotvos { rotating, both, off };
+enum class TravelFigure { wgs84, sphere };
+
+/// A part of a journey. What changes in it does so by x^3 (10 - 15 x + 6 x^2), where x is the share of its duration.
+struct TravelLeg {
+  double duration_s = 0;
+  std::optional<double> speed_m_s = {};  ///< reached at its end; unchanged if left out
+  double turn_deg = 0;                   ///< of the course, clockwise, in addition to the path's own
+  double climb_m = 0;
+  bool operator==(const TravelLeg&) const = default;
+};
+
+/// A journey as a scenario gives it. It starts at the site.
+struct TravelSpec {
+  TravelPath path = TravelPath::rhumb;
+  double course_deg = 0;  ///< compass course at the start
+  double speed_m_s = 0;   ///< horizontal, at the pivot's height, relative to the Earth, at the start
+  std::vector<TravelLeg> legs = {};
+  std::array<FiledTable, 3> table = {};  ///< for TravelPath::table: latitude (deg), longitude (deg, without jumps), height (m)
+  TravelReference reference = TravelReference::same_path;
+  TravelEotvos eotvos = TravelEotvos::rotating;
+  TravelFigure figure = TravelFigure::wgs84;
+  double radius_m = 6371008.7714;  ///< of the sphere: the mean radius of WGS 84, (2 a + b)/3
+
+  bool operator==(const TravelSpec&) const = default;
+};
+
+/// 1 knot in m/s, exactly 1852/3600.
+inline constexpr double kKnot = 1852.0 / 3600.0;
+
+}  // namespace earthtop
