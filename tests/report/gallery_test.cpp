@@ -183,7 +183,7 @@ TEST(ReadmePicture, ThreeAreOfTheGallery) {
     const std::string file = "tools/readme/gallery-" + name + ".svg";
     EXPECT_NE(readme.find(file), readme.npos) << file;
     const std::string drawn = page_of(name).picture;
-    EXPECT_TRUE(is_same_drawing(text_of(file), drawn + "\n"))
+    EXPECT_TRUE(is_same_drawing(text_of(file), drawn))
         << "make " << file << " again: earthtop gallery gallery --only " << name << " --svg";
   }
 }
