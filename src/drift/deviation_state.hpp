@@ -30,4 +30,29 @@ DriftState<T> seen_from_laboratory(const Model<T>& model, const Quaternion<T>& r
   return s;
 }
 
+/// The same seen from a laboratory on a journey, from what the axes A of the integration see (journey.hpp): the quaternion of R_ref^T R_rot
+/// also turns by what the two laboratories are turned against each other.
+template <class T>
+DriftState<T> deviation_from_journey(const Model<T>& model, DriftState<T> s, const T& t) {
+  if (model.journey.empty()) return s;
+  if (model.journey.has_still_reference()) {
+    const SmallTurn<T> turn = model.journey.attitude_change(t);
+    const Vec3<T> back_B = -transposed_times(rotation_matrix(s.ref_q_LB), turn.v_scaled), e_v = s.e_v_scaled;
+    const T e_w = s.e_w;
+    s.e_w = turn.w * e_w - s.epsilon * s.epsilon * back_B.dot(e_v);
+    s.e_v_scaled = turn.w * e_v + e_w * back_B + s.epsilon * back_B.cross(e_v);
+  }
+  s.ref_q_LB = model.journey.attitude(t, false).conjugate() * s.ref_q_LB;
+  return s;
+}
+/// A whole state.
+template <class T>
+DriftState<T> seen_from_journey(const Model<T>& model, const DriftState<T>& in_A, const T& t) {
+  if (model.journey.empty()) return in_A;
+  DriftState<T> s = deviation_from_journey(model, in_A, t);
+  see_rotating_from_journey(model, s, t);
+  s.ref_w_LB_B -= transposed_times(rotation_matrix(s.ref_q_LB), model.journey.at(JourneyPart::rate, t));
+  return s;
+}
+
 }  // namespace earthtop

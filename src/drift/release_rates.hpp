@@ -8,6 +8,7 @@ namespace earthtop {
 /// Sets the rates of both motions at release to the given ones, instead of those computed back from an angular momentum.
 template <class T>
 void set_release_rates(const DriftProblem<T>& problem, DriftState<T>& state) {
+  if (!problem.model.journey.empty()) return;  // the problem's release is relative to other axes
   const Release<T>& release = problem.release;
   state.ref_w_LB_B = release.w_XB_B;
   // The gimbals' bearings hold the body back: its inertial rate is not that of the reference.

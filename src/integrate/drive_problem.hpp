@@ -42,6 +42,7 @@ DriveOptions<T> drive_options(const MotionProblem<T>& problem, const Integration
   for (const PrescribedMotion<T>* motion : {&problem.model.platform.turn, &problem.model.rotor.drive})
     if (motion->table) merge(motion->table->joints());
   if (const auto& table = problem.model.applied.given.table) merge(table->joints());
+  if (!problem.model.journey.empty()) merge(problem.model.journey.joints());
   for (const MovingMasses<T>* masses : {&problem.model.masses, &problem.model.gimbals.masses})
     if (masses->any()) merge(masses->joints());
   return drive;

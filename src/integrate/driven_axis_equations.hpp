@@ -9,10 +9,9 @@
 #include <array>
 
 #include "earthtop/model/equations.hpp"
-#include "earthtop/model/reduced_torques.hpp"
 #include "integrate/group_norms.hpp"
 #include "integrate/state_vectors.hpp"
-#include "model/applied_motion.ipp"
+#include "model/seen_beside_axis.hpp"
 
 namespace earthtop {
 
@@ -39,9 +38,7 @@ struct DrivenAxisEquations {
     SeenBesideAxis<T> seen;
     seen.n = n, seen.u = u, seen.w3 = w3 + x[6], seen.w_IP = W_L;
     seen.field = pivot_field<SceneKind::full>(model, t).rotating_L;
-    see_torques(
-        top, model, t, [](const Vec3<T>& u_L) { return u_L; }, seen);
-    if (model.applied.friction()) seen.w_IP = applied_motion::Carrier<T>(model.platform, t).w_LP_L + W_L;
+    see_rotating_motion(top, model, t, seen);
     const AxisTorques<T> torques = axis_torques<T, T>(top, model, moment_factor(top, n), seen);
     const T nutation = b + (b_rest + top.spin_ratio * x[6]);
     const Vec3<T> s = u.cross(n);

@@ -24,6 +24,8 @@ class DrivenAxisMotion : public WithSeries<RecordedSeries<double, DrivenAxisShap
     const ReducedTop<double> top = reduced_top(model);
     const NutationRate<double> b(top, w_IB_B_[2], W_B[2]);
     w_IB_B_ += W_B;
+    if (model.journey.has_still_reference())
+      w_IB_B_ += model.epsilon * rate_change_at_release(model, problem.natural_release());
     equations_ = {model, top, w_IB_B_[2], b.value, b.rest};
   }
 
@@ -48,12 +50,13 @@ class DrivenAxisMotion : public WithSeries<RecordedSeries<double, DrivenAxisShap
   }
 
   void follow(const State&) {}
-  MotionSample<double> sample(const State& x, double) const {
+  MotionSample<double> sample(const State& x, double t) const {
     const Vec3<double> n = load_vector(x, 0);
     MotionSample<double> s;
     s.q_LB = turn_of_axis_3(n);
     s.w_LB_B = transposed_times(rotation_matrix(s.q_LB), Vec3<double>(load_vector(x, 3) - equations_.model.W_IL_L));
     s.w_LB_B[2] += equations_.w3 + x[6];
+    if (!equations_.model.journey.empty()) see_rotating_from_journey(equations_.model, s, t);
     return s;
   }
 

@@ -88,9 +88,10 @@ class GeneralMotionSystem
   }
 
   State initial_state() const {
-    const auto [q_LB, w_XB_B, X] = problem_.natural_release();
+    auto [q_LB, w_XB_B, X] = problem_.natural_release();
     const Mat3<T> R_LB = rotation_matrix(q_LB);
     const Vec3<T> W_B = R_LB.transpose() * model_.W_IL_L;
+    if (model_.journey.has_still_reference()) w_XB_B += model_.epsilon * rate_change_at_release(model_, problem_.natural_release());
     const bool inertial = X == RatesRelativeTo::inertial;
     const Vec3<T> w_LB_B = inertial ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
     const Vec3<T> w_IB_B = inertial ? w_XB_B : Vec3<T>(w_XB_B + W_B);
@@ -121,7 +122,11 @@ class GeneralMotionSystem
   }
 
   void follow(const State&) {}
-  MotionSample<T> sample(const State& x, T t) const { return seen_in_laboratory(load(x), t); }
+  MotionSample<T> sample(const State& x, T t) const {
+    MotionSample<T> s = seen_in_laboratory(load(x), t);
+    if (!model_.journey.empty()) see_rotating_from_journey(model_, s, t);
+    return s;
+  }
 
  private:
   MotionSample<T> seen_in_laboratory(const Motion<T>& motion, T t) const {

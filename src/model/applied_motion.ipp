@@ -8,7 +8,7 @@
 namespace earthtop {
 namespace applied_motion {
 
-/// How the platform moves in the laboratory.
+/// How the platform moves in a laboratory without a journey.
 template <class T>
 struct Carrier {
   Vec3<T> w_LP_L = Vec3<T>::Zero(), alpha_LP_L = Vec3<T>::Zero(), up_P_L = Vec3<T>::UnitZ();
@@ -22,23 +22,54 @@ struct Carrier {
   }
 };
 
+/// Sees vectors of a laboratory on a journey from its axes A: takes them there, and hands them on.
+template <class T, class See>
+struct SeeOnJourney {
+  LaboratoryAxes<T> axes;
+  const T& epsilon;
+  const See& see;
+
+  auto operator()(const Vec3<T>& u_L, const Vec3<T>& change_L) const {
+    return see(axes.reference(u_L), axes.difference(u_L, change_L, epsilon));
+  }
+  auto operator()(const Vec3<Paired<T>>& u_L) const { return (*this)(parts(u_L, &Paired<T>::ref), parts(u_L, &Paired<T>::diff)); }
+};
+/// The inertial rate of the carrier as a body sees it.
+template <class T, class See>
+auto carrier_rate(const Model<T>& model, const T& t, const SeeOnJourney<T, See>& see) {
+  return see(CarrierTurning<T>(LaboratoryTurning<T>(model, see.axes, t), model.platform.turn, t).w_IP_L);
+}
+
+/// Sets the directions of the torques that act, and the given torque.
+template <class S, class T, class See>
+void see_directions(const AppliedTorques<T>& applied, const T& t, const See& see, SeenFromBody<S>& seen) {
+  const Vec3<T> unchanged = Vec3<T>::Zero();
+  for (std::size_t i = 0; i < 2; ++i)
+    if (applied.gradient[i].strength != T(0)) seen.gradient_B[i] = see(applied.gradient[i].direction_L, unchanged);
+  if (applied.support.acts())
+    seen.east_B = see(Vec3<T>(Vec3<T>::UnitX()), unchanged), seen.north_B = see(Vec3<T>(Vec3<T>::UnitY()), unchanged);
+  if (!applied.given.acts) return;
+  const Vec3<T> given = applied.given.at(t);
+  seen.given_B = applied.given.in_laboratory ? see(given, unchanged) : Vec3<S>(S(given[0]), S(given[1]), S(given[2]));
+}
+
 /// @param see  see(u_L, change_L) gives the body's view of a vector, from its value u_L for the reference and its change by the
 /// Earth's rate over epsilon
 template <class S, class T, class See>
 SeenFromBody<S> seen_from_body(const Model<T>& model, T t, const Vec3<S>& w_IB_B, const See& see) {
   const AppliedTorques<T>& applied = model.applied;
-  const Carrier<T> carrier(model.platform, t);
-  const Vec3<T> unchanged = Vec3<T>::Zero();
   SeenFromBody<S> seen;
   seen.w_IB_B = w_IB_B;
-  seen.w_IP_B = see(carrier.w_LP_L, model.W_IL_L_scaled);
-  for (std::size_t i = 0; i < 2; ++i)
-    if (applied.gradient[i].strength != T(0)) seen.gradient_B[i] = see(applied.gradient[i].direction_L, unchanged);
-  if (applied.support.acts()) seen.east_B = see(Vec3<T>::UnitX(), unchanged), seen.north_B = see(Vec3<T>::UnitY(), unchanged);
-  if (applied.given.acts) {
-    const Vec3<T> given = applied.given.at(t);
-    seen.given_B = applied.given.in_laboratory ? see(given, unchanged) : Vec3<S>(S(given[0]), S(given[1]), S(given[2]));
+  if (!model.journey.empty()) {
+    const SeeOnJourney<T, See> from_L{LaboratoryAxes<T>(model.journey, t), model.epsilon, see};
+    seen.w_IP_B = carrier_rate(model, t, from_L);
+    see_directions(applied, t, from_L, seen);
+    return seen;
   }
+  const Carrier<T> carrier(model.platform, t);
+  const Vec3<T> unchanged = Vec3<T>::Zero();
+  seen.w_IP_B = see(carrier.w_LP_L, model.W_IL_L_scaled);
+  see_directions(applied, t, see, seen);
   if (!applied.level_axis) return seen;
   seen.up_P_B = see(carrier.up_P_L, unchanged);
   // The derivative of W + w_LP in inertial space: the rotating laboratory carries the platform's rate round.

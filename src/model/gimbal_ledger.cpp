@@ -4,6 +4,7 @@
 
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/equations.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 
 namespace earthtop {
 namespace {
@@ -125,9 +126,10 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
   if (observer == LedgerObserver::platform && turn.never_turns()) observer = LedgerObserver::laboratory;
   const Mat3<T> R_LP = turn_matrix(turn.axis, turn.angle(t));
   const auto into_P = [&](const Vec3<T>& v_L) -> Vec3<T> { return transposed_times(R_LP, v_L); };
-  const Vec3<T> W = into_P(model.W_IL_L), w_LP = turn.angle_rate(t) * turn.axis;
-  const Turning<T> carrier{Vec3<T>(W + w_LP), Vec3<T>(turn.angle_acceleration(t) * turn.axis + W.cross(w_LP))};
-  const Vec3<T> field = into_P(pivot_field<SceneKind::full>(model, t).rotating_L);
+  const LaboratoryNow<T> laboratory(model, t);
+  const Vec3<T> W = into_P(laboratory.w_IL_L), w_LP = turn.angle_rate(t) * turn.axis, W_slope = into_P(laboratory.alpha_IL_L);
+  const Turning<T> carrier{Vec3<T>(W + w_LP), Vec3<T>(turn.angle_acceleration(t) * turn.axis + W.cross(w_LP) + W_slope)};
+  const Vec3<T> field = into_P(laboratory.field_L);
 
   // Torques of gravity on both parts, which do not depend on the accelerations.
   const Suspension<T> unloaded = suspension_at(model, carrier, angles, spin, t, {Vec3<T>::Zero(), Vec3<T>::Zero()});
@@ -145,8 +147,8 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
   Turning<T> X;
   Mat3<T> R_XP = Mat3<T>::Identity();
   switch (observer) {
-    case LedgerObserver::inertial: R_XP = rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon)) * R_LP; break;
-    case LedgerObserver::laboratory: X.w = W, R_XP = R_LP; break;
+    case LedgerObserver::inertial: R_XP = laboratory.R_NL * R_LP; break;
+    case LedgerObserver::laboratory: X.w = W, X.alpha = W_slope, R_XP = R_LP; break;
     case LedgerObserver::platform: X = carrier; break;
     case LedgerObserver::body:
       X = s.body.turning;

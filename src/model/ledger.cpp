@@ -8,6 +8,7 @@
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/contact_ledger.hpp"
 #include "earthtop/model/equations.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 
 namespace earthtop {
 
@@ -34,30 +35,31 @@ struct ObservingFrame {
 };
 
 template <class T>
-ObservingFrame<T> inertial_frame(const Model<T>& model, T t, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
-  const Mat3<T> R_NL = rotation_matrix(laboratory_turn(model, t).quaternion(model.epsilon));
+ObservingFrame<T> inertial_frame(const LaboratoryNow<T>& laboratory, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
   ObservingFrame<T> N;
-  N.R_LA = R_NL.transpose();
-  N.R_AB = R_NL * R_LB;
-  N.w_AB_B = w_LB_B + transposed_times(R_LB, model.W_IL_L);
+  N.R_LA = laboratory.R_NL.transpose();
+  N.R_AB = laboratory.R_NL * R_LB;
+  N.w_AB_B = w_LB_B + transposed_times(R_LB, laboratory.w_IL_L);
   return N;
 }
 
 template <class T>
-ObservingFrame<T> laboratory_frame(const Model<T>& model, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
+ObservingFrame<T> laboratory_frame(const LaboratoryNow<T>& laboratory, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
   ObservingFrame<T> L;
   L.R_AB = R_LB;
-  L.w_IA_A = model.W_IL_L;
+  L.w_IA_A = laboratory.w_IL_L, L.alpha_IA_A = laboratory.alpha_IL_L;
   L.w_AB_B = w_LB_B;
   return L;
 }
 
 template <class T>
-ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B) {
+ObservingFrame<T> platform_frame(const Model<T>& model, const LaboratoryNow<T>& laboratory, T t, const Mat3<T>& R_LB,
+                                 const Vec3<T>& w_LB_B) {
   const PrescribedMotion<T>& turn = model.platform.turn;
   const FrameKinematics<T> LP{Rotation<T>::about(turn.axis, turn.angle(t)), turn.angle_rate(t) * turn.axis,
                               turn.angle_acceleration(t) * turn.axis};
-  const FrameKinematics<T> IL{Rotation<T>(), model.W_IL_L, Vec3<T>::Zero()};  // I with the attitude of L at time t
+  // I with the attitude of L at time t
+  const FrameKinematics<T> IL{Rotation<T>(), laboratory.w_IL_L, laboratory.alpha_IL_L};
   const FrameKinematics<T> IP = compose(IL, LP);
   ObservingFrame<T> P;
   P.R_LA = LP.R_AB.matrix();
@@ -69,11 +71,12 @@ ObservingFrame<T> platform_frame(const Model<T>& model, T t, const Mat3<T>& R_LB
 }
 
 template <class T>
-ObservingFrame<T> body_frame(const Model<T>& model, const Quaternion<T>& q_LB, const Mat3<T>& R_LB, const Vec3<T>& w_LB_B,
-                             const Vec3<T>& field_L, const Vec3<T>& applied_B, const RotorInside<T>& rotor) {
+ObservingFrame<T> body_frame(const Model<T>& model, const LaboratoryNow<T>& laboratory, const Quaternion<T>& q_LB,
+                             const Mat3<T>& R_LB, const Vec3<T>& w_LB_B, const Vec3<T>& applied_B, const RotorInside<T>& rotor) {
+  const Vec3<T>& field_L = laboratory.field_L;
   ObservingFrame<T> B;
   B.R_LA = R_LB;
-  B.w_IA_A = w_LB_B + transposed_times(R_LB, model.W_IL_L);
+  B.w_IA_A = w_LB_B + transposed_times(R_LB, laboratory.w_IL_L);
   const Motion<T> motion{q_LB, B.w_IA_A};
   const Vec3<T> without_applied = model.kind == SceneKind::gyrostat
                                       ? body_equation<true, SceneKind::gyrostat>(model, motion, field_L, rotor).m
@@ -104,8 +107,9 @@ Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
 
 /// The share of each effect in the physical torques, in the order of kAppliedShares. The gimbal reacts to all other torques.
 template <class T>
-std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, T t, const Quaternion<T>& q_LB,
-                                                            const Vec3<T>& w_LB_B, const Vec3<T>& applied_B) {
+std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, const LaboratoryNow<T>& laboratory,
+                                                            T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B,
+                                                            const Vec3<T>& applied_B) {
   const Vec3<T> nothing = Vec3<T>::Zero();
   Vec3<T> tide = nothing, gradient = nothing, friction = nothing, gimbal = nothing, support = nothing, given = nothing;
   if (!model.tide.empty())
@@ -113,14 +117,14 @@ std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& mode
   if (model.applied.any) {
     Model<T> part = model;
     part.applied.level_axis = false;
-    const Vec3<T> free = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    const Vec3<T> free = applied_torque_seen_from(laboratory, part, t, q_LB, w_LB_B);
     part.applied.gradient = {}, part.applied.support = {}, part.applied.given = {};
-    friction = applied_torque_B(part, t, q_LB, w_LB_B, true);
+    friction = applied_torque_seen_from(laboratory, part, t, q_LB, w_LB_B);
     const auto alone = [&](auto AppliedTorques<T>::*share) {
       part.applied = AppliedTorques<T>();
       part.applied.any = true;
       part.applied.*share = model.applied.*share;
-      return applied_torque_B(part, t, q_LB, w_LB_B, true);
+      return applied_torque_seen_from(laboratory, part, t, q_LB, w_LB_B);
     };
     gradient = alone(&AppliedTorques<T>::gradient);
     support = alone(&AppliedTorques<T>::support), given = alone(&AppliedTorques<T>::given);
@@ -205,20 +209,22 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& given, T t,
   const MassSums<T>* masses = in_time.masses_at(t);
   if (observer == LedgerObserver::platform && model.platform.turn.never_turns()) observer = LedgerObserver::laboratory;
   const Mat3<T> R_LB = rotation_matrix(q_LB);
-  const Vec3<T> field_L = pivot_field<SceneKind::full>(model, t).rotating_L;
-  const Vec3<T> applied_B = model.applied.any ? applied_torque_B(model, t, q_LB, w_LB_B, true) : Vec3<T>(Vec3<T>::Zero());
-  const RotorInside<T> rotor = rotor_at(model, t, masses, Vec3<T>(w_LB_B + transposed_times(R_LB, model.W_IL_L)), spin);
+  const LaboratoryNow<T> laboratory(model, t);
+  const Vec3<T>& field_L = laboratory.field_L;
+  const Vec3<T> applied_B =
+      model.applied.any ? applied_torque_seen_from(laboratory, model, t, q_LB, w_LB_B) : Vec3<T>(Vec3<T>::Zero());
+  const RotorInside<T> rotor = rotor_at(model, t, masses, Vec3<T>(w_LB_B + transposed_times(R_LB, laboratory.w_IL_L)), spin);
   const bool in_laboratory = observer == LedgerObserver::laboratory;
   ObservingFrame<T> A;
   switch (observer) {
-    case LedgerObserver::inertial: A = inertial_frame(model, t, R_LB, w_LB_B); break;
-    case LedgerObserver::laboratory: A = laboratory_frame(model, R_LB, w_LB_B); break;
-    case LedgerObserver::platform: A = platform_frame(model, t, R_LB, w_LB_B); break;
-    case LedgerObserver::body: A = body_frame(model, q_LB, R_LB, w_LB_B, field_L, applied_B, rotor); break;
+    case LedgerObserver::inertial: A = inertial_frame(laboratory, R_LB, w_LB_B); break;
+    case LedgerObserver::laboratory: A = laboratory_frame(laboratory, R_LB, w_LB_B); break;
+    case LedgerObserver::platform: A = platform_frame(model, laboratory, t, R_LB, w_LB_B); break;
+    case LedgerObserver::body: A = body_frame(model, laboratory, q_LB, R_LB, w_LB_B, applied_B, rotor); break;
   }
   LedgerEntry<T> entry;
   if (model.kind != SceneKind::plain) {
-    const auto shares_B = applied_shares_B(model, t, q_LB, w_LB_B, applied_B);
+    const auto shares_B = applied_shares_B(model, laboratory, t, q_LB, w_LB_B, applied_B);
     for (std::size_t i = 0; i < shares_B.size(); ++i) entry.share_A[i] = times(A.R_AB, shares_B[i]) + Vec3<T>::Zero();
   }
   count_torques(entry, model, A, in_laboratory, w_LB_B, field_L, applied_B, rotor);
@@ -272,10 +278,10 @@ LedgerEntry<T> ledger_entry_on_table(LedgerObserver observer, const Model<T>& mo
   ObservingFrame<T> A;
   Vec3<T> w_AB_dot_B = Vec3<T>::Zero();
   if (observer == LedgerObserver::inertial) {
-    A = inertial_frame(model, t, R_LB, state.w_LB_B);
+    A = inertial_frame(LaboratoryNow<T>(model, t), R_LB, state.w_LB_B);
     w_AB_dot_B = w_IB_dot_B;
   } else if (in_laboratory) {
-    A = laboratory_frame(model, R_LB, state.w_LB_B);
+    A = laboratory_frame(LaboratoryNow<T>(model, t), R_LB, state.w_LB_B);
     w_AB_dot_B = w_LB_dot_B;
   } else {
     A.R_LA = R_LB;

@@ -52,8 +52,8 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
      .no_trend = "a rotor turns in the body"},
     {.kind = SupportKind::platform,
      .pointer = "/platform",
-     .carries = [](const Scenario& s) { return s.platform.has_value(); },
-     .no_exact_motion = "is not available on a platform; take \"auto\", or leave the platform out"},
+     .carries = [](const Scenario& s) { return s.platform || s.travel; },
+     .no_exact_motion = "is not available where a platform or a journey carries the pivot; take \"auto\", or leave both out"},
     {.kind = SupportKind::gimbal,
      .pointer = "/effects/gimbal",
      .carries = [](const Scenario& s) { return s.effects.applied.gimbal.has_value(); },
@@ -89,7 +89,7 @@ bool has_symmetric_cage(const Scenario& s) {
   return center[0] == 0 && center[1] == 0 && I[0][0] == I[1][1] && I[0][1] == 0 && I[0][2] == 0 && I[1][2] == 0;
 }
 
-bool may_be_driven(const Scenario& s) { return s.platform || s.effects.applied.gimbal; }
+bool may_be_driven(const Scenario& s) { return s.platform || s.travel || s.effects.applied.gimbal; }
 
 const Support& support_of(const Scenario& scenario) {
   return *std::ranges::find_if(kSupports, [&](const Support& support) { return support.carries(scenario); });

@@ -272,7 +272,8 @@ struct Driven {
     // A platform affects the body only if the pivot is off the platform's centre, or through friction or a gimbal.
     const auto& carrier = scene.scenario().platform;
     const AppliedTorquesSpec& applied = scene.scenario().effects.applied;
-    const bool felt = carrier && (carrier->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal);
+    const bool felt = scene.scenario().travel ||
+                      (carrier && (carrier->pivot_offset_m != std::array<double, 3>{} || applied.friction() || applied.gimbal));
     if (felt) platform = scene.platform_demand();
     const FurtherDemand further(scene, top.least());
     gravity_torque = scene.gravity_torque_N_m(platform.acceleration_m_s2) + further.support_N_m;
@@ -315,9 +316,36 @@ double looks_at_rounding(const Scene& scene) {
 
 }  // namespace
 
+/// How fast a journey turns the laboratory, and how it accelerates it.
+PlatformDemand demand_of(const TravelSpec& travel, double earth_rate_rad_s) {
+  constexpr double kFastest = 1.875, kSteepest = 5.7735;  // the largest slopes of x^3 (10 - 15 x + 6 x^2)
+  constexpr double kRadius_m = 6.35e6, kDegree = std::numbers::pi / 180;
+  double speed = travel.speed_m_s, largest = speed, turning = 0, acceleration = 0;
+  for (const TravelLeg& leg : travel.legs) {
+    const double after = leg.speed_m_s.value_or(speed), turn = kFastest * std::abs(leg.turn_deg) * kDegree / leg.duration_s;
+    const double climb = std::abs(leg.climb_m) / leg.duration_s;
+    largest = std::max({largest, after, kFastest * climb});
+    turning = std::max({turning, turn, kFastest / leg.duration_s});
+    acceleration = std::max(acceleration, real::hypot(kFastest * std::abs(after - speed) / leg.duration_s,
+                                                      turn * std::max(speed, after), kSteepest * climb / leg.duration_s));
+    speed = after;
+  }
+  if (travel.path == TravelPath::table) {
+    const AngleSpline<double> north(*travel.table[0].rows), east(*travel.table[1].rows), up(*travel.table[2].rows);
+    const double metres = kRadius_m * kDegree;
+    largest = real::hypot(metres * north.largest_rate(), metres * east.largest_rate(), up.largest_rate());
+    acceleration = real::hypot(metres * north.largest_acceleration(), metres * east.largest_acceleration(), up.largest_acceleration());
+    if (largest > 0) turning = acceleration / largest;
+  }
+  const double transport = largest / kRadius_m;
+  return {transport + turning, acceleration + (2 * std::abs(earth_rate_rad_s) + transport) * largest};
+}
+
 PlatformDemand demand_of(const Scene& scene) {
   const auto& given = scene.scenario().platform;
-  if (!given) return {};
+  PlatformDemand journey;
+  if (const auto& travel = scene.scenario().travel) journey = demand_of(*travel, scene.rotation_rate_rad_s());
+  if (!given) return journey;
   const double amplitude = std::abs(given->amplitude_rad);
   double omega = 2 * std::numbers::pi * std::abs(given->frequency_hz);
   double rate =
@@ -331,7 +359,7 @@ PlatformDemand demand_of(const Scene& scene) {
   }
   const auto& d = given->pivot_offset_m;
   const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(scene.rotation_rate_rad_s());
-  return {std::max(rate, omega), (turning * turning + alpha) * offset};
+  return {std::max(rate, omega) + journey.rate_rad_s, (turning * turning + alpha) * offset + journey.acceleration_m_s2};
 }
 
 MassesPace masses_pace(const Scene& scene) { return MassesDemand(scene); }

@@ -21,6 +21,29 @@ TideSeries<T> tide_series(const Scene& scene) {
 
 }  // namespace
 
+/// The journey, in seconds.
+template <class T>
+Journey<T> journey_of(const Scene& scene) {
+  const Scenario& scenario = scene.scenario();
+  JourneySetting<T> setting;
+  setting.site = scene.site();
+  setting.earth_rate = T(scene.rotation_rate_rad_s());
+  setting.normal_gravity = follows_normal_gravity(scenario);
+  setting.gravity_anomaly = scenario.gravity_anomaly_m_s2;
+  setting.duration_s = scenario.duration_s;
+  return Journey<T>(*scenario.travel, setting);
+}
+
+/// Puts the laboratory on its journey: in axes that turn with the Earth, or at rest in inertial space where the reference stays.
+template <class T>
+void put_journey(Model<T>& model, const Scene& scene, const NaturalUnits& units) {
+  model.journey = journey_of<T>(scene).in_time_units(units.time_exponent);
+  if (model.kind == SceneKind::plain) model.kind = SceneKind::full;
+  if (!model.journey.has_still_reference()) return;
+  model.epsilon = model.journey.epsilon();
+  model.W_IL_L = model.W_IL_L_scaled = Vec3<T>::Zero();
+}
+
 NaturalUnits units_of(const Scene& scene) {
   const auto& platform = scene.scenario().platform;
   const Platform<double> made = platform ? make_platform<double>(*platform) : Platform<double>();
@@ -50,6 +73,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
     model.tide = tide_series<T>(scene).scaled(units.time_exponent);
     model.kind = SceneKind::full;
   }
+  if (scenario.travel) put_journey(model, scene, units);
   if (!scene.support().has_moving_parts()) return model;
   if (scenario.rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
   put_masses(model, scenario.moving_masses, units);
@@ -80,6 +104,10 @@ DriftProblem<T> problem_of(const Scene& scene) {
   problem.release = scene.release<T>();
   problem.units = scene.units();
   problem.model = model_of<T>(scene, problem.units);
+  // The given rates are the reference's, relative to its laboratory; those of the problem are relative to the axes of the integration.
+  if (scenario.travel)
+    problem.release.w_XB_B += problem.units.rate_to_rad_s(
+        transposed_times(rotation_matrix(problem.release.q_LB), problem.model.journey.at(JourneyPart::rate, T(0))));
   problem.fastest_rate = problem.units.rate_from_rad_s(T(scene.fastest_rate_rad_s()));
   if (scenario.numerics.stops_beyond_estimate) problem.pace = is_too_short_to_look(scene) ? scene.pace_by_rule() : scene.pace();
   problem.times_s = {0, scenario.duration_s};

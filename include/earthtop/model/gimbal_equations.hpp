@@ -61,10 +61,22 @@ GimbalSurroundings<Paired<T>> gimbal_surroundings(const Model<T>& model, const T
   const auto into_P = [&](const Vec3<T>& v_L) -> Vec3<T> { return transposed_times(R_LP, v_L); };
   const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
   GimbalSurroundings<Paired<T>> around;
-  around.earth = paired_vector(Vec3<T>(Vec3<T>::Zero()), into_P(model.W_IL_L_scaled), model.epsilon);
-  around.turning = paired_vector(Vec3<T>(turn.angle_rate(t) * turn.axis));
-  if constexpr (!kLaboratory) around.turning += around.earth;
-  around.field = paired_vector(into_P(field.reference_L), into_P(field.difference_L_scaled), model.epsilon);
+  if (!model.journey.empty()) {
+    const LaboratoryAxes<T> axes(model.journey, t);
+    const LaboratoryTurning<T> laboratory(model, axes, t);
+    const auto both_into_P = [&](const Vec3<Paired<T>>& v_L) {
+      return paired_vector(into_P(parts(v_L, &Paired<T>::ref)), into_P(parts(v_L, &Paired<T>::diff)), model.epsilon);
+    };
+    around.earth = paired_vector(Vec3<T>(Vec3<T>::Zero()), into_P(laboratory.W_L_scaled), model.epsilon);
+    around.turning = both_into_P(CarrierTurning<T>(laboratory, turn, t).w_IP_L);
+    if constexpr (kLaboratory) around.turning -= around.earth;
+    around.field = both_into_P(axes.into_L(field.reference_L, field.difference_L_scaled, model.epsilon));
+  } else {
+    around.earth = paired_vector(Vec3<T>(Vec3<T>::Zero()), into_P(model.W_IL_L_scaled), model.epsilon);
+    around.turning = paired_vector(Vec3<T>(turn.angle_rate(t) * turn.axis));
+    if constexpr (!kLaboratory) around.turning += around.earth;
+    around.field = paired_vector(into_P(field.reference_L), into_P(field.difference_L_scaled), model.epsilon);
+  }
   for (std::size_t i = 0; i < 2; ++i) around.gradient[i] = paired_vector(into_P(model.applied.gradient[i].direction_L));
   return around;
 }

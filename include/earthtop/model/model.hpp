@@ -6,6 +6,7 @@
 #include <memory>
 #include <type_traits>
 
+#include "earthtop/frames/journey.hpp"
 #include "earthtop/frames/tide.hpp"
 #include "earthtop/members.hpp"
 #include "earthtop/model/applied_torques.hpp"
@@ -58,8 +59,9 @@ struct Model {
   MovingMasses<T> masses;  ///< that move in the body
   Gimbals<T> gimbals;
   SceneKind kind = SceneKind::plain;
+  Journey<T> journey;  ///< of the laboratory; where there is one, the axes L of the other members are the axes A of journey.hpp
   EARTHTOP_MEMBERS(I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, epsilon, W_IL_L_scaled, W_IL_L, weights,
-                   platform, applied, tide, rotor, masses, gimbals, kind)
+                   platform, applied, tide, rotor, masses, gimbals, kind, journey)
 };
 
 /// Sets the stiffness of an unequal support that is given by the periods of a pendulum, from the weight of the model's body.
@@ -145,6 +147,10 @@ struct NaturalUnits {
     return real::scale(w, -time_exponent);
   }
   template <class T>
+  Vec3<T> rate_to_rad_s(const Vec3<T>& w) const {
+    return {rate_to_rad_s(w[0]), rate_to_rad_s(w[1]), rate_to_rad_s(w[2])};
+  }
+  template <class T>
   Vec3<T> rate_from_rad_s(const Vec3<T>& w) const {
     return {rate_from_rad_s(w[0]), rate_from_rad_s(w[1]), rate_from_rad_s(w[2])};
   }
@@ -178,11 +184,16 @@ struct PivotField {
   Vec3<T> difference_L_scaled;  ///< (rotating - reference) / epsilon, computed without subtracting the two
 };
 
+/// The same on a journey (carrier.hpp).
+template <class T>
+PivotField<T> field_on_journey(const Model<T>& model, const T& t);
+
 template <SceneKind K, class T>
 PivotField<T> pivot_field(const Model<T>& model, T t) {
   if constexpr (K == SceneKind::plain) {
     return {model.apparent_gravity_L, model.apparent_gravity_L, Vec3<T>::Zero()};
   } else {
+    if (!model.journey.empty()) return field_on_journey(model, t);
     const PivotAcceleration<T> a = pivot_acceleration(model.platform, model.W_IL_L, model.W_IL_L_scaled, t);
     Vec3<T> reference_L = model.apparent_gravity_L - a.of_platform_L;
     if (!model.tide.empty()) reference_L += model.tide.acceleration_L(t);
@@ -230,3 +241,5 @@ Vec3<T> laboratory_torque(const TorqueWeights<T>& weights, const Vec3<T>& W_A, c
 }
 
 }  // namespace earthtop
+
+#include "earthtop/model/carrier.hpp"  // needs the model, and is needed where pivot_field is called

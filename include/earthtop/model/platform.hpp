@@ -13,6 +13,9 @@ struct Platform {
   PrescribedMotion<T> turn;
   Vec3<T> pivot_offset_P = Vec3<T>::Zero();  ///< from L's origin, in P axes (m)
   EARTHTOP_MEMBERS(turn, pivot_offset_P)
+
+  /// Whether the pivot is off L's origin.
+  bool is_offset() const { return pivot_offset_P[0] != T(0) || pivot_offset_P[1] != T(0) || pivot_offset_P[2] != T(0); }
 };
 
 /// @throws std::invalid_argument for PlatformMotion::table with a missing or invalid table

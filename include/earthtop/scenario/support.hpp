@@ -51,7 +51,7 @@ bool has_symmetric_cage(const Scenario& scenario);
 /// the bearing, which leaves no closed form of the turn, nor where the general model is asked for.
 bool is_caged_top(const Scenario& scenario);
 
-/// Whether a scenario's motion may come to other rates than those of its release: on a platform, and in a gimbal.
+/// Whether a scenario's motion may come to other rates than those of its release: on a platform, on a journey, and in a gimbal.
 bool may_be_driven(const Scenario& scenario);
 
 /// Returns what carries the top of a scenario.

@@ -282,6 +282,7 @@ GrowthReport follow(const MotionProblem<double>& problem, double duration_s, dou
   double t = 0, before = 0;
   std::vector<double> joints = model.masses.joints();
   std::ranges::copy(model.gimbals.masses.joints(), std::back_inserter(joints));
+  if (!model.journey.empty()) std::ranges::copy(model.journey.joints(), std::back_inserter(joints));
   if (const auto& table = model.applied.given.table) std::ranges::copy(table->joints(), std::back_inserter(joints));
   const StepEnds ends(std::move(joints), end);
   const WorkLimit limit = problem.pace.known() ? work_limit_for(growth_work(problem, duration_s, tolerance)) : WorkLimit();

@@ -27,7 +27,7 @@ auto derivatives_of_members(Derivative& derivative) {
   const auto turn = std::make_tuple(none, none, ref(rate), ref(acceleration), ref(amplitude), ref(frequency), ref(phase), none);
   return std::make_tuple(ref(I_BP_B), ref(I_BP_B_inverse), ref(S_BP_B), ref(mass_moment_B), ref(apparent_gravity_L), none,
                          ref(W_IL_L_scaled), none, weights, std::make_tuple(turn, ref(pivot_offset_P)), ref(applied), ref(tide),
-                         none, none, none, none);
+                         none, none, none, none, none);
 }
 
 namespace problem_derivative_detail {

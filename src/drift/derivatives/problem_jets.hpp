@@ -32,6 +32,7 @@ struct ToJet {
     return nullptr;
   }
   TideSeries<Jet> operator()(const TideSeries<double>&) const { return {}; }
+  Journey<Jet> operator()(const Journey<double>&) const { return {}; }
 };
 
 /// A vector or a matrix with its derivatives.   @param member  takes a ProblemDerivative to its derivative of that quantity

@@ -33,6 +33,7 @@ class ToParameter {
   std::shared_ptr<const PiecewisePath<Recorded>> operator()(const std::shared_ptr<const PiecewisePath<Jet>>&) const {
     return ToRecorded<double>()(beside_.model.applied.given.table);
   }
+  Journey<Recorded> operator()(const Journey<Jet>&) const { return ToRecorded<double>()(beside_.model.journey); }
   TideSeries<Recorded> operator()(const TideSeries<Jet>&) const {
     TideSeries<Recorded> tide(beside_.model.tide);
     for (std::size_t k = 0; k < beside_.inputs.size(); ++k) {

@@ -13,11 +13,10 @@
 #include "drift/pivot/compass_equations.hpp"
 #include "earthtop/integrate/motion_integration.hpp"
 #include "earthtop/model/gimbal_equations.hpp"
-#include "earthtop/model/reduced_torques.hpp"
 #include "integrate/motion_system.hpp"
 #include "integrate/state_vectors.hpp"
 #include "integrate/taylor/operations.hpp"
-#include "model/applied_motion.ipp"
+#include "model/seen_beside_axis.hpp"
 
 namespace earthtop {
 
@@ -89,9 +88,7 @@ struct SpinlessMotionEquations {
     SeenBesideAxis<T> seen;
     seen.n = n, seen.u = u, seen.w3 = w3 + x[9];
     seen.field = pivot_field<SceneKind::full>(model, t).rotating_L;
-    see_torques(
-        top, model, t, [](const Vec3<T>& u_L) { return u_L; }, seen);
-    if (model.applied.friction()) seen.w_IP = applied_motion::Carrier<T>(model.platform, t).w_LP_L + W;
+    see_rotating_motion(top, model, t, seen);
     const AxisTorques<T> torques = axis_torques<T, T>(top, model, moment_factor(top, n), seen);
     using real::conserved;
     store_vector(Vec3<T>(s - W.cross(n)), dxdt, 0);

@@ -157,11 +157,16 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     const Vec3<T> W_B = model_.epsilon * W_B_scaled;
     const bool inertial_rates = release.X == RatesRelativeTo::inertial;
     // The rates of the rotating body relative to L and to I, and their deviations over epsilon, all from the given rates.
-    const Vec3<T> w_LB_B = inertial_rates ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
-    const Vec3<T> w_IB_B = inertial_rates ? w_XB_B : Vec3<T>(w_XB_B + W_B);
+    Vec3<T> w_LB_B = inertial_rates ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
+    Vec3<T> w_IB_B = inertial_rates ? w_XB_B : Vec3<T>(w_XB_B + W_B);
     const Vec3<T> zero = Vec3<T>::Zero();
-    const Vec3<T> Dw_LB_B = inertial_rates ? Vec3<T>(-W_B_scaled) : zero;
-    const Vec3<T> Dw_IB_B = inertial_rates ? zero : W_B_scaled;
+    Vec3<T> Dw_LB_B = inertial_rates ? Vec3<T>(-W_B_scaled) : zero;
+    Vec3<T> Dw_IB_B = inertial_rates ? zero : W_B_scaled;
+    if (model_.journey.has_still_reference()) {
+      const Vec3<T> change_B = rate_change_at_release(model_, release);
+      for (Vec3<T>* difference : {&Dw_LB_B, &Dw_IB_B}) *difference += change_B;
+      for (Vec3<T>* rate : {&w_LB_B, &w_IB_B}) *rate += model_.epsilon * change_B;
+    }
     State x;
     const auto store = [&](const Vec3<T>& rotating, const Vec3<T>& reference, const Vec3<T>& deviation) {
       if constexpr (kIntegrated) drift_state::store_motion<T>({q_LB, rotating}, x, drift_state::kRotating);
@@ -191,7 +196,9 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   }
 
   /// The state in the variables that all observers share, with rates in natural units; `t_s` is left to the caller.
-  DriftState<T> shared_state(const State& x, T t) const {
+  DriftState<T> shared_state(const State& x, T t) const { return seen_from_journey(model_, state_in_A(x, t), t); }
+  /// The same in the axes of the integration, which differ from the laboratory's on a journey.
+  DriftState<T> state_in_A(const State& x, T t) const {
     using namespace drift_state;
     const Motion<T> reference = load_motion(x, kReference);
     const Deviation<T> deviation = load_deviation(x);
@@ -204,7 +211,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
       return times(model.I_BP_B_inverse, momentum_B);
     };
     const auto earth_rate = [&](const Quaternion<T>& q_LB) { return transposed_times(rotation_matrix(q_LB), model_.W_IL_L); };
-    DriftState<T> s = deviation_state(x, t);
+    DriftState<T> s = deviation_in_A(x, t);
     s.q_LB = rotating.q;
     if constexpr (O == Observer::laboratory) {
       s.w_LB_B = body_rate(rotating);
@@ -233,6 +240,9 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
 
   /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
   DriftState<T> deviation_state(const State& x, T t) const {
+    return deviation_from_journey(model_, deviation_in_A(x, t), t);
+  }
+  DriftState<T> deviation_in_A(const State& x, T t) const {
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
     DriftState<T> s = seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);
     if constexpr (kGyrostat) s.watched_axis_B = model_.rotor.axis_B;
@@ -254,7 +264,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     // drift, which is the difference of the two, it may be as large a share as the time left is of the time behind.
     Vec3<T> turn_scaled;
     if (reference_stops && rotating_stops) {
-      const Vec3<T> Dw_scaled = times(model_.I_BP_B_inverse, deviation.p) - earth_rate_scaled(shared_state(x, t));
+      const Vec3<T> Dw_scaled = times(model_.I_BP_B_inverse, deviation.p) - earth_rate_scaled(state_in_A(x, t));
       const T square = w_ref_B.dot(w_ref_B);
       turn_scaled = Dw_scaled;  // and the time left is longer by that share by which the rate is larger
       if (square > T(0)) turn_scaled += (w_ref_B.dot(Dw_scaled) / square) * w_ref_B;
@@ -269,7 +279,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
       reference.m = Vec3<T>::Zero();
     }
     if (rotating_stops) {
-      deviation.p = times<T>(model_.I_BP_B, earth_rate_scaled(shared_state(x, t)) - reference.m / epsilon);
+      deviation.p = times<T>(model_.I_BP_B, earth_rate_scaled(state_in_A(x, t)) - reference.m / epsilon);
       rotating.m = W_B;
     }
     const Vec3<T> y = deviation.y;
@@ -350,7 +360,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
     const Model<T>& model = in_time_.at(t);
     const Motion<T> reference = drift_state::load_motion(x, drift_state::kReference);
     const Mat3<T> R_ref = rotation_matrix(reference.q);  // the same in L and in N, which is parallel to the reference's L
-    const DriftState<T> s = shared_state(x, t);
+    const DriftState<T> s = state_in_A(x, t);
     const Deviation<T> deviation = drift_state::load_deviation(x);
     const Vec3<T> p_B = O == Observer::body ? deviation.p : Vec3<T>(transposed_times(R_ref, deviation.p));
     Vec3<T> Dw_IB_B_scaled = times<T>(model.I_BP_B_inverse, without_difference(p_B, inside_both(x, t, reference, deviation)));

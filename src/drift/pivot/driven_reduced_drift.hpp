@@ -62,7 +62,16 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
     return top_.axis == 2 || spin == T(0) ? T(0) : T(1) / spin;
   }
 
-  DriftState<T> shared_state(const State& x, T t) const {
+  DriftState<T> shared_state(const State& x, T t) const { return seen_from_journey(equations_.model, state_in_A(x, t), t); }
+  /// The part of the shared state that the drift is measured from; a common turn about axis 3 is left out.
+  DriftState<T> deviation_state(const State& x, T t) const {
+    const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(load_vector(x, 0), load_vector(x, 6)) : attitude(x, t);
+    const DriftState<T> in_A = seen_from_laboratory<O>(equations_.model, ref_q_LF, deviation(x), t);
+    return deviation_from_journey(equations_.model, in_A, t);
+  }
+
+ private:
+  DriftState<T> state_in_A(const State& x, T t) const {
     const T epsilon = equations_.model.epsilon;
     DriftState<T> s = seen_from_laboratory<O>(equations_.model, attitude(x, t), deviation(x), t);
     const Mat3<T> R_ref = rotation_matrix(s.ref_q_LB);
@@ -74,13 +83,6 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
     s.w_LB_B = w_IB_B - transposed_times(rotation_matrix(s.q_LB), equations_.model.W_IL_L);
     return s;
   }
-  /// The part of the shared state that the drift is measured from; a common turn about axis 3 is left out.
-  DriftState<T> deviation_state(const State& x, T t) const {
-    const Quaternion<T> ref_q_LF = top_.axis == 2 ? frame_.frame(load_vector(x, 0), load_vector(x, 6)) : attitude(x, t);
-    return seen_from_laboratory<O>(equations_.model, ref_q_LF, deviation(x), t);
-  }
-
- private:
   static Deviation<T> deviation(const State& x) { return {x[11], load_vector(x, 12), load_vector(x, 15)}; }
   Quaternion<T> attitude(const State& x, T t) const {
     return frame_.attitude(load_vector(x, 0), load_vector(x, 6), t) * steady_turn(top_.axis, x[10], T(1));
@@ -88,6 +90,7 @@ class DrivenReducedDrift : public WithSeries<RecordedSeries<T, DrivenReducedShap
   /// (w_IB_rot - w_IB_ref) / epsilon at release.
   Vec3<T> initial_rate_deviation_B(const Model<T>& model) const {
     if (release_.X == RatesRelativeTo::inertial) return Vec3<T>::Zero();
+    if (model.journey.has_still_reference()) return rate_change_at_release(model, release_);
     return transposed_times(rotation_matrix(release_.q_LB), model.W_IL_L_scaled);
   }
   Vec3<T> transverse(Vec3<T> v_B) const {

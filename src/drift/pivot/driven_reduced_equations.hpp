@@ -108,11 +108,18 @@ struct DrivenReducedEquations {
     seen.n = paired_vector(n);
     const PivotField<T> field = pivot_field<SceneKind::full>(model, t);
     seen.field = see(field.reference_L, field.difference_L_scaled);
-    see_torques(
-        top, model, t, [&](const Vec3<T>& u_L) { return see(u_L, Vec3<T>(Vec3<T>::Zero())); }, seen);
     const T spin = w3 + spin_change;
     seen.u = paired_vector(u, V, model.epsilon);
     seen.w3 = Paired<T>(spin, spin + model.epsilon * k, k);
+    const Vec3<T> unchanged = Vec3<T>::Zero();
+    if (!model.journey.empty()) {
+      if (!model.applied.any) return seen;
+      const applied_motion::SeeOnJourney<T, See> from_L{LaboratoryAxes<T>(model.journey, t), model.epsilon, see};
+      see_torques(top, model, t, [&](const Vec3<T>& u_L) { return from_L(u_L, unchanged); }, seen);
+      if (model.applied.friction()) seen.w_IP = applied_motion::carrier_rate(model, t, from_L);
+      return seen;
+    }
+    see_torques(top, model, t, [&](const Vec3<T>& u_L) { return see(u_L, unchanged); }, seen);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;

@@ -9,6 +9,7 @@
 #include "integrate/taylor/recorded_pair.hpp"
 //
 #include "earthtop/frames/angle_spline.hpp"
+#include "earthtop/frames/journey.hpp"
 #include "earthtop/frames/tide.hpp"
 #include "earthtop/model/mass_path.hpp"
 
@@ -93,6 +94,41 @@ class TideSeries<real::Recorded<T>> {
   std::vector<Term> terms_;
 };
 
+/// A journey: a sum of journeys of one kind, each times a number or a parameter. Steps have to end where pieces do.
+template <class T>
+class Journey<real::Recorded<T>> {
+ public:
+  using Scalar = real::Recorded<T>;
+  Journey() = default;
+  explicit Journey(Journey<T> journey) { add(Scalar(T(1)), std::move(journey)); }
+  void add(Scalar factor, Journey<T> journey) {
+    if (!journey.empty()) terms_.push_back({factor, std::move(journey)});
+  }
+
+  bool empty() const { return terms_.empty(); }
+  bool has_still_reference() const { return !empty() && terms_[0].journey.has_still_reference(); }
+  bool is_felt_by_both() const { return terms_[0].journey.is_felt_by_both(); }
+  bool is_felt() const { return terms_[0].journey.is_felt(); }
+  Vec3<Scalar> at(JourneyPart part, const Scalar& t) const {
+    Vec3<Scalar> sum = Vec3<Scalar>::Zero();
+    for (const Term& term : terms_) {
+      taylor::GivenFunction<T> function;
+      function.components = 3;
+      function.expand = [journey = term.journey, part](T at, std::span<std::array<T, 3>> rows) { journey.expand(part, at, rows); };
+      const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
+      for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += term.factor * Scalar(*t.recording(), places[i]);
+    }
+    return sum;
+  }
+
+ private:
+  struct Term {
+    Scalar factor;
+    Journey<T> journey;
+  };
+  std::vector<Term> terms_;
+};
+
 }  // namespace earthtop
 
 // The formulas of the model follow, now that the functions above are known to them.
@@ -113,6 +149,7 @@ struct ToRecorded {
     return path ? std::make_shared<const PiecewisePath<R>>(path) : nullptr;
   }
   TideSeries<R> operator()(const TideSeries<T>& tide) const { return TideSeries<R>(tide); }
+  Journey<R> operator()(const Journey<T>& journey) const { return Journey<R>(journey); }
 };
 
 /// A struct of coefficients, over the scalar that records operations.
