@@ -24,6 +24,11 @@ IntegrationOptions stepping_check(const Scene& scene, const IntegrationOptions& 
       second.form == ModelForm::reduced ? Observer::laboratory : Observer::body;  // the reduced form has no body axes
   second.observer = first.observer == Observer::inertial ? other : Observer::inertial;
   if (is_exact(first.method)) return second;
+  // Against a laboratory at rest the laboratory's and the inertial observer's axes are the same (journey.hpp).
+  if (scenario.travel && scenario.travel->reference == TravelReference::at_rest && !scene.support().has_gimbals) {
+    second.form = ModelForm::general;
+    second.observer = first.observer == Observer::body ? Observer::inertial : Observer::body;
+  }
   if (first.method == Method::taylor) {
     second.relative_tolerance = std::max(first.relative_tolerance / 1000, least_tolerance(precision));
     return second;

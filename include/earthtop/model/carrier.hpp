@@ -39,18 +39,21 @@ struct LaboratoryAxes {
 template <class T>
 struct LaboratoryTurning {
   Vec3<Paired<T>> w_IL_L, alpha_IL_L;
-  Vec3<T> W_L_scaled;  ///< the rate of the axes A over epsilon
+  Vec3<T> W_L_scaled;       ///< the rate of the axes A over epsilon
+  Vec3<Paired<T>> earth_L;  ///< the Earth's rate: with `same_path` that of A, with `at_rest` the same in both motions
 
   LaboratoryTurning(const Model<T>& model, const LaboratoryAxes<T>& axes, const T& t) {
     const Journey<T>& journey = model.journey;
     const Vec3<T> rate = journey.at(JourneyPart::rate, t), slope = journey.at(JourneyPart::rate_slope, t);
     if (axes.is_changed) {
       W_L_scaled = Vec3<T>::Zero();
+      earth_L = axes.into_L(rate, Vec3<T>(Vec3<T>::Zero()), model.epsilon);
       w_IL_L = paired_vector(rate, journey.at(JourneyPart::rate_change, t), model.epsilon);
       alpha_IL_L = paired_vector(slope, journey.at(JourneyPart::slope_change, t), model.epsilon);
     } else {
       // The Earth's rate is at rest in A, and turns with -w_EL in L.
       W_L_scaled = transposed_times(axes.R_AL, model.W_IL_L_scaled);
+      earth_L = paired_vector(Vec3<T>(Vec3<T>::Zero()), W_L_scaled, model.epsilon);
       w_IL_L = paired_vector(rate, W_L_scaled, model.epsilon);
       alpha_IL_L = paired_vector(slope, Vec3<T>(W_L_scaled.cross(rate)), model.epsilon);
     }

@@ -67,7 +67,7 @@ GimbalSurroundings<Paired<T>> gimbal_surroundings(const Model<T>& model, const T
     const auto both_into_P = [&](const Vec3<Paired<T>>& v_L) {
       return paired_vector(into_P(parts(v_L, &Paired<T>::ref)), into_P(parts(v_L, &Paired<T>::diff)), model.epsilon);
     };
-    around.earth = paired_vector(Vec3<T>(Vec3<T>::Zero()), into_P(laboratory.W_L_scaled), model.epsilon);
+    around.earth = both_into_P(laboratory.earth_L);
     around.turning = both_into_P(CarrierTurning<T>(laboratory, turn, t).w_IP_L);
     if constexpr (kLaboratory) around.turning -= around.earth;
     around.field = both_into_P(axes.into_L(field.reference_L, field.difference_L_scaled, model.epsilon));
