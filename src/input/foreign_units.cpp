@@ -31,7 +31,8 @@ struct Symbol {
 };
 
 constexpr Dimension kMass{.mass = 1}, kLength{.length = 1}, kTime{.time = 1}, kAngle{.angle = 1}, kFrequency{.time = -1},
-    kRate{.time = -1, .angle = 1}, kAcceleration{.length = 1, .time = -2}, kForce{.mass = 1, .length = 1, .time = -2};
+    kRate{.time = -1, .angle = 1}, kSpeed{.length = 1, .time = -1}, kAcceleration{.length = 1, .time = -2},
+    kForce{.mass = 1, .length = 1, .time = -2};
 constexpr double kPi = std::numbers::pi;
 
 /// The units that keys may have, SI units and others. A symbol with several meanings has a row for each; the first one counts in
@@ -77,6 +78,7 @@ constexpr Symbol kSymbols[] = {
     {"rps", 2 * kPi, kRate},
     {"rps", 1, kFrequency},
     {"dps", kPi / 180, kRate},
+    {"kn", 1852.0 / 3600, kSpeed},
     {"gal", 1e-2, kAcceleration},
     {"mgal", 1e-5, kAcceleration},
     {"N", 1, kForce},
@@ -219,6 +221,14 @@ std::optional<std::string> factor_text(std::string_view ending, const Field& fie
   return fmt::format("1 {} = {:.15g} {}", given->text(), given->factor / own->factor, field.unit);
 }
 
+/// Returns whether a word of a name in lower case is a unit, as a symbol or spoken.
+bool names_unit(std::string_view word) {
+  if (std::find(std::begin(kSpokenUnits), std::end(kSpokenUnits), word) != std::end(kSpokenUnits)) return true;
+  const auto part = part_of(word);
+  return part && std::any_of(std::begin(kSymbols), std::end(kSymbols),
+                             [&](const Symbol& symbol) { return is_symbol(symbol, part->symbol); });
+}
+
 template <class Visit>
 void each_below(const FieldTable& table, std::string_view pattern, const Visit& visit) {
   for (const Field& field : table.fields)
@@ -231,7 +241,8 @@ std::optional<ForeignUnit> foreign_unit(const FieldTable& table, std::string_vie
                                         bool with_path) {
   if (key.size() > kLongestKey) return std::nullopt;
   const std::string lower = lower_case(key);
-  if (without_unit(lower).size() == lower.size()) return std::nullopt;
+  const auto end = lower.rfind('_');  // "turn_rad" has a unit, though its other word is one, too
+  if (end == lower.npos || !names_unit(std::string_view(lower).substr(end + 1))) return std::nullopt;
   const std::vector<std::string_view> keys = table.keys_below(pattern);
   const auto is_key = [&](std::string_view known) { return lower_case(known) == lower; };
   if (std::any_of(keys.begin(), keys.end(), is_key)) return std::nullopt;  // in another case only
@@ -271,12 +282,6 @@ std::optional<std::string_view> abbreviated(const FieldTable& table, std::string
 }
 
 std::string_view without_unit(std::string_view lower) {
-  const auto names_unit = [](std::string_view word) {
-    if (std::find(std::begin(kSpokenUnits), std::end(kSpokenUnits), word) != std::end(kSpokenUnits)) return true;
-    const auto part = part_of(word);
-    return part && std::any_of(std::begin(kSymbols), std::end(kSymbols),
-                               [&](const Symbol& symbol) { return is_symbol(symbol, part->symbol); });
-  };
   std::string_view stem = lower;
   for (auto end = stem.rfind('_'); end != std::string_view::npos && names_unit(stem.substr(end + 1)); end = stem.rfind('_'))
     stem = stem.substr(0, end);

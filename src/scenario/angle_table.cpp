@@ -52,6 +52,11 @@ std::optional<std::string> read_row(std::string_view line, const TableKind& kind
   const std::vector<double>& times = tables.front().t_s;
   if (!times.empty() && !(numbers[0] > times.back()))
     return fmt::format("t_s is {} after {}; times must ascend, each above the one before", numbers[0], times.back());
+  if (kind.circular_column != 0 && !times.empty()) {
+    double& angle = numbers[kind.circular_column];
+    const double step = angle - tables[kind.circular_column - 1].value.back();
+    if (std::abs(step) > 180) angle -= 360 * std::round(step / 360);
+  }
   for (std::size_t i = 0; i < tables.size(); ++i)
     tables[i].t_s.push_back(numbers[0]), tables[i].value.push_back(numbers[i + 1]);
   return std::nullopt;

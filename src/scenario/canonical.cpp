@@ -3,6 +3,7 @@
 #include "earthtop/scenario/scenario.hpp"
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/travel_keys.hpp"
 #include "scenario/writing.hpp"
 
 namespace earthtop {
@@ -17,6 +18,11 @@ nlohmann::json written_out(const Scenario& s) {
   root.list("criteria", s.criteria, [](auto& element, const auto& criterion) { criterion_keys(element, criterion); });
   root.object("site", true, [&](auto& below) { site_keys(below, s); });
   root.object("earth", true, [&](auto& below) { earth_keys(below, s); });
+  if (s.travel)
+    root.object("travel", true, [&](auto& below) {
+      travel_keys(below, *s.travel);
+      below.list("legs", s.travel->legs, [](auto& element, const auto& leg) { leg_keys(element, leg); });
+    });
   root.object("body", true, [&](auto& below) {
     if (s.body.solids.empty()) return body_keys(below, s.body);
     below.list("solids", s.body.solids, [](auto& element, const auto& solid) { solid_keys(element, solid); });

@@ -52,31 +52,46 @@ void decode_headline(const Section& root, Scenario& scenario) {
         "is not the time of a row, which is a multiple of output_step_s within the duration: the figure cannot be checked");
 }
 
-/// Decodes site and Earth. @returns whether gravity is known
-bool decode_site(const Section& root, Scenario& scenario) {
-  const Section site = root.section("site"), earth = root.section("earth");
-  const bool gravity_given = site.has("gravity_m_s2");
-  if (!site.has("latitude_deg") && !(gravity_given && earth.number("rotation_rate_rad_s") == 0.0))
+/// Checks that the latitude is given where anything needs it.
+void require_latitude(const Section& root) {
+  const Section site = root.section("site"), travel = root.section("travel");
+  if (site.has("latitude_deg")) return;
+  if (root.has("travel")) {
+    if (travel.word("path") != "table")
+      site.missing("latitude_deg", "is missing; the journey begins there: must be a number from -89.9 to 89.9 (deg)");
+    return;
+  }
+  if (!site.has("gravity_m_s2") || root.section("earth").number("rotation_rate_rad_s") != 0.0)
     site.missing("latitude_deg",
                  "is missing; must be a number from -90 to 90 (deg), unless the rotation rate is 0 and gravity_m_s2 "
                  "is given");
+}
+
+/// Computes gravity where it is not given. @returns whether it is known
+bool find_gravity(const Section& site, bool place_is_known, Site& place) {
+  if (site.has("gravity_m_s2")) return site.number("gravity_m_s2").has_value();
+  if (place_is_known) place.gravity_m_s2 = normal_gravity(place.latitude_deg, place.height_m);
+  return place_is_known;
+}
+
+/// Decodes site and Earth. @returns whether gravity is known
+bool decode_site(const Section& root, Scenario& scenario) {
+  const Section site = root.section("site"), earth = root.section("earth");
+  require_latitude(root);
   Reading earth_codec(earth), codec(site);
   scenario.rotation_rate_rad_s = 0;  // value if the key has been refused
   earth_keys(earth_codec, scenario);
   site_keys(codec, scenario);
-  if (gravity_given && site.has("gravity_anomaly_m_s2"))
+  if (site.has("gravity_m_s2") && site.has("gravity_anomaly_m_s2"))
     site.refuse_key("gravity_anomaly_m_s2",
                     "is counted from normal gravity, and gravity_m_s2 is given; leave one of the two out");
-  if (gravity_given) return site.number("gravity_m_s2").has_value();
-  if (!site.number("latitude_deg") || !site.number("height_m")) return false;
-  scenario.site.gravity_m_s2 = normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
-  return true;
+  return find_gravity(site, site.number("latitude_deg") && site.number("height_m"), scenario.site);
 }
 
-/// Decodes the whole scenario. @returns whether body, release, gravity and contact are known
+/// Decodes the whole scenario. @returns whether body, release, gravity, contact, gimbals and journey are known
 bool decode(const Section& root, const ScenarioSource& source, Scenario& scenario) {
   decode_name(root, source.file, scenario);
-  const bool gravity = decode_site(root, scenario);
+  bool gravity = decode_site(root, scenario);
   const auto body =
       root.require("body") ? decode_body(root.section("body"), root.has("rotor") || root.has("gimbals")) : std::nullopt;
   const ReleasedParts parts{root.has("rotor") || root.has("moving_masses"), root.has("gimbals")};
@@ -84,6 +99,11 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   if (body) scenario.body = *body;
   if (release) scenario.release = *release;
   decode_motion(root.section("motion"), scenario);
+  if (root.has("travel")) scenario.travel = decode_travel(root, source, scenario.duration_s);
+  if (scenario.travel && scenario.travel->path == TravelPath::table) {
+    const Section site = root.section("site");
+    gravity = find_gravity(site, place_at_start(site, *scenario.travel, scenario.site), scenario.site);
+  }
   if (root.has("rotor")) scenario.rotor = decode_rotor(root, source, scenario.duration_s);
   if (root.has("gimbals")) scenario.gimbals = decode_gimbals(root);
   if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);
@@ -97,6 +117,7 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
   accuracy.key("drift_rad", scenario.accuracy_rad);
   decode_effects(root, source, scenario);
   check_beside_masses(root, scenario);
+  check_beside_travel(root, scenario);
   decode_numerics(root.section("numerics"), scenario);
   if (root.has("contact")) scenario.contact = decode_contact(root, scenario);
   decode_headline(root, scenario);
@@ -112,7 +133,8 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
             .refuse_key(kInputNames[i],
                         fmt::format("the scenario has no such number: this is the {}; leave it out", kInputs[i].doc));
   }
-  return body && release && gravity && (scenario.contact || !root.has("contact")) && (scenario.gimbals || !root.has("gimbals"));
+  return body && release && gravity && (scenario.contact || !root.has("contact")) &&
+         (scenario.gimbals || !root.has("gimbals")) && (scenario.travel || !root.has("travel"));
 }
 
 /// Removes the spin that a change in another unit replaces.

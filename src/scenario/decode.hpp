@@ -39,6 +39,13 @@ void decode_motion(const Section& motion, Scenario& scenario);
 std::optional<RotorSpec> decode_rotor(const Section& root, const ScenarioSource& source, double duration_s);
 std::optional<PlatformSpec> decode_platform(const Section& platform, const ScenarioSource& source, double duration_s);
 
+/// Decodes a journey of the laboratory; empty if it is not complete.   @param duration_s  time that a table must cover (s)
+std::optional<TravelSpec> decode_travel(const Section& root, const ScenarioSource& source, double duration_s);
+/// Puts the site where a journey's table begins, and checks that the keys of it that are given say the same. @returns whether they do
+bool place_at_start(const Section& site, const TravelSpec& travel, Site& place);
+/// Checks that site and effects, which must have been decoded, and the other sections allow a journey.
+void check_beside_travel(const Section& root, const Scenario& scenario);
+
 /// Decodes the masses that move in the body: those that are complete.
 std::vector<MovingMassSpec> decode_masses(const Section& root, const ScenarioSource& source, double duration_s);
 /// Checks that the effects, which must have been decoded, allow moving masses.

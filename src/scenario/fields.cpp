@@ -69,7 +69,8 @@ constexpr Field kOwnFields[] = {
 
     {"/site", object, "", any(), "", "{}", "where the laboratory stands"},
     {"/site/latitude_deg", number, "deg", from(-90, 90), "", "",
-     "geodetic latitude, North positive; required unless the rotation rate is 0 and gravity is given"},
+     "geodetic latitude, North positive; required unless the rotation rate is 0 and gravity is given, or a table of travel has "
+     "it"},
     {"/site/longitude_deg", number, "deg", kAngles, "", "0", "longitude, East positive"},
     {"/site/height_m", number, "m", from(-12000, 1e6), "", "0", "height above the WGS 84 ellipsoid"},
     {"/site/gravity_m_s2", number, "m/s^2", from(0, kInfinity), "", "",
@@ -80,6 +81,42 @@ constexpr Field kOwnFields[] = {
 
     {"/earth", object, "", any(), "", "{}", "the rotating planet"},
     {"/earth/rotation_rate_rad_s", number, "rad/s", any(), "", "7.292115e-5", "rotation rate; WGS 84"},
+
+    {"/travel", object, "", any(), "", "",
+     "a journey that carries the laboratory over the Earth, from the site on; if left out, the laboratory stays there"},
+    {"/travel/path", word, "", any(), WordsOf<kTravelPaths>::text, "",
+     "rhumb: constant course; geodesic: the straightest line; table: places at given times", kRequired},
+    {"/travel/course_deg", number, "deg", kAngles, "", "", "rhumb, geodesic: compass course at the start"},
+    {"/travel/speed_m_s", number, "m/s", from(0, 1e5), "", "",
+     "rhumb, geodesic: horizontal speed at the start, of the pivot at its height, relative to the Earth"},
+    {"/travel/speed_kn", number, "kn", from(0, 194384), "", "",
+     "instead of speed_m_s: the same in knots, 1852/3600 m/s each; at most 1e5 m/s"},
+    {"/travel/legs", list, "", any(), "", "",
+     "rhumb, geodesic: changes of speed, course and height, one after the other, at most 10,000; after the last one the "
+     "journey "
+     "goes on as it is then"},
+    {"/travel/legs/*", object, "", any(), "", "", "one leg; what is left out stays as it is"},
+    {"/travel/legs/*/duration_s", number, "s", above(0, 1e9), "", "", "how long it lasts", kRequired},
+    {"/travel/legs/*/speed_m_s", number, "m/s", from(0, 1e5), "", "", "speed at its end"},
+    {"/travel/legs/*/speed_kn", number, "kn", from(0, 194384), "", "", "instead of speed_m_s: the same in knots"},
+    {"/travel/legs/*/turn_deg", number, "deg", from(-1e6, 1e6), "", "0",
+     "turn of the course in it, clockwise positive, in addition to the path's own"},
+    {"/travel/legs/*/climb_m", number, "m", kLengths, "", "0", "change of height in it"},
+    {"/travel/file", text, "", any(), "", "",
+     "table: CSV file with the header t_s,latitude_deg,longitude_deg,height_m, from t = 0 or before to the end of the run; "
+     "cubic "
+     "splines go through its rows, and a step of longitude by more than 180 deg goes the other way round"},
+    {"/travel/file_sha256", text, "", any(), "", "", "table: the SHA-256 that the file must have; not checked if left out"},
+    {"/travel/reference", word, "", any(), WordsOf<kTravelReferences>::text, "\"same_path\"",
+     "the motion from which the drift is counted: the same journey over an Earth that does not rotate, or the laboratory at "
+     "rest at "
+     "the site on the Earth that does"},
+    {"/travel/eotvos", word, "", any(), WordsOf<kTravelEotvos>::text, "\"rotating\"",
+     "which motions feel the Coriolis force on the laboratory, -2 W x v, in apparent gravity"},
+    {"/travel/figure", word, "", any(), WordsOf<kTravelFigures>::text, "\"wgs84\"",
+     "figure of the Earth on which the path runs"},
+    {"/travel/radius_m", number, "m", above(0, 1e9), "", "6371008.7714",
+     "sphere: its radius; default: the mean radius of WGS 84"},
 
     {"/body", object, "", any(), "", "", "the top: mass, centre of mass and inertia, or solids", kRequired},
     {"/body/mass_kg", number, "kg", above(0, 1e6), "", "", "mass"},

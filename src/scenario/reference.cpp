@@ -114,7 +114,7 @@ bool is_one_value(FieldKind kind) { return kind != FieldKind::object && kind != 
 std::vector<std::string> pointers_called(std::string_view name) {
   // Their keys are meant only where no other section has the name: standard errors, which nobody means, and the parts that came after
   // 1.0, before which the name had one meaning.
-  constexpr std::string_view kSecond[] = {"/uncertainty/", "/rotor/", "/gimbals/", "/moving_masses/"};
+  constexpr std::string_view kSecond[] = {"/uncertainty/", "/rotor/", "/gimbals/", "/moving_masses/", "/travel/"};
   std::vector<std::string> found, first;
   for (const input::Field& field : fields().fields) {
     if (field.key() != name || field.pointer.find('*') != field.pointer.npos) continue;

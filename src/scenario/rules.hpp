@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include "earthtop/frames/travel_spec.hpp"
 #include "earthtop/integrate/options.hpp"
 #include "earthtop/model/applied_torques_spec.hpp"
 #include "earthtop/model/body_spec.hpp"
@@ -101,6 +102,26 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
 };
+
+/// The keys that the path of a journey must and may have.
+struct TravelRule {
+  std::string_view word;
+  TravelPath value;
+  std::string_view required, allowed;  ///< members of kTravelKeys, separated by '|'
+};
+inline constexpr std::string_view kTravelKeys = "course_deg|speed_m_s|speed_kn|legs|file|file_sha256";
+inline constexpr std::array kTravelPaths = {
+    TravelRule{"rhumb", TravelPath::rhumb, "course_deg", "course_deg|speed_m_s|speed_kn|legs"},
+    TravelRule{"geodesic", TravelPath::geodesic, "course_deg", "course_deg|speed_m_s|speed_kn|legs"},
+    TravelRule{"table", TravelPath::table, "file", "file|file_sha256"},
+};
+inline constexpr std::array kTravelReferences = {Word<TravelReference>{"same_path", TravelReference::same_path},
+                                                 Word<TravelReference>{"at_rest", TravelReference::at_rest}};
+inline constexpr std::array kTravelEotvos = {Word<TravelEotvos>{"rotating", TravelEotvos::rotating},
+                                             Word<TravelEotvos>{"both", TravelEotvos::both},
+                                             Word<TravelEotvos>{"off", TravelEotvos::off}};
+inline constexpr std::array kTravelFigures = {Word<TravelFigure>{"wgs84", TravelFigure::wgs84},
+                                              Word<TravelFigure>{"sphere", TravelFigure::sphere}};
 
 inline constexpr std::array kTorqueAxes = {Word<TorqueAxes>{"body", TorqueAxes::body},
                                            Word<TorqueAxes>{"laboratory", TorqueAxes::laboratory}};

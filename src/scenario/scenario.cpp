@@ -16,6 +16,7 @@ bool Scenario::operator==(const Scenario&) const = default;
 
 std::vector<const FiledTable*> tables_of(const Scenario& scenario) {
   std::vector<const FiledTable*> tables;
+  if (scenario.travel && scenario.travel->table[0].rows) tables.push_back(&scenario.travel->table[0]);
   if (scenario.platform && scenario.platform->table.rows) tables.push_back(&scenario.platform->table);
   if (scenario.rotor && scenario.rotor->table.rows) tables.push_back(&scenario.rotor->table);
   for (const MovingMassSpec& mass : scenario.moving_masses)

@@ -68,6 +68,15 @@ Json rules_of_words(const char* key, const Rows& rows, std::string_view keys, st
   }
   return rules;
 }
+/// Returns the rules of a journey, beside those of its path's keys.
+Json travel_rules() {
+  Json rules = rules_of_words("path", kTravelPaths, kTravelKeys);
+  rules.push_back(when("path", "table", true, exactly_one("speed_m_s|speed_kn")));
+  rules.push_back({{"if", required("radius_m")}, {"then", has("figure", {{"const", "sphere"}})}});
+  rules.push_back(when("reference", "at_rest", {{"not", has("eotvos", {{"const", "both"}})}}));
+  return rules;
+}
+
 Json platform_rules() { return rules_of_words("motion", kMotionRules, kMotionKeys); }
 
 Json rotor_rules() {
@@ -100,12 +109,15 @@ Json contact_rules() {
   return rules;
 }
 
-/// Returns the rule that latitude is required if the Earth rotates, or if gravity is computed from it.
+/// Returns the rule that latitude is required if the Earth rotates, if gravity is computed from it, or if a journey begins there
+/// and no table says where.
 Json site_rule() {
   Json nothing_to_know = has("site", required("gravity_m_s2"));
   nothing_to_know.update(has("earth", has("rotation_rate_rad_s", {{"const", 0}})), true);
   nothing_to_know["required"] = {"site", "earth"};
-  return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know})}};
+  nothing_to_know["not"] = required("travel");
+  const Json in_table = has("travel", has("path", {{"const", "table"}}));
+  return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know, in_table})}};
 }
 
 /// Returns the rule that the release has one rate; with a rotor or moving masses in the body it may have none.
@@ -229,6 +241,8 @@ Json rules_of(std::string_view pattern) {
   if (pattern == "/effects/unequal_support") return Json::array({exactly_one("kappa_N_m|periods_s")});
   if (pattern == "/effects/given_torque")
     return rules_of_words("course", kTorqueCourses, kCourseKeys, kTorqueCourses.front().word);
+  if (pattern == "/travel") return travel_rules();
+  if (pattern == "/travel/legs/*") return Json::array({{{"not", required("speed_m_s|speed_kn")}}});
   if (pattern == "/platform") return platform_rules();
   if (pattern == "/rotor") return rotor_rules();
   if (pattern == "/moving_masses/*") return rules_of_words("motion", kMassMotionRules, kMassMotionKeys);

@@ -42,6 +42,9 @@ constexpr const char* kCirclingMass =
 constexpr const char* kMassOnWaypoints =
     R"([{"mass_kg": 1, "motion": "waypoints", "times_s": [0, 1], "points_m": [[0, 0, 0.1], [0.1, 0, 0]]}])";
 constexpr const char* kMassAsMeasured = R"([{"mass_kg": 1, "motion": "table", "file": "one_places.csv"}])";
+constexpr const char* kSails = R"({"path": "rhumb", "course_deg": 30, "speed_m_s": 10, "legs": [{"duration_s": 9}]})";
+constexpr const char* kSailsASphere = R"({"path": "rhumb", "course_deg": 30, "speed_m_s": 10, "figure": "sphere"})";
+constexpr const char* kSailsAsMeasured = R"({"path": "table", "file": "one_voyage.csv"})";
 constexpr const char* kInGimbals = R"({"outer_angle_deg": 20, "inner_angle_deg": 60})";
 constexpr const char* kGimbals =
     R"({"outer": {"mass_kg": 1, "inertia": {"principal_kg_m2": [1, 1, 1]}, "viscous_torque_N_m_s": 1,
@@ -159,6 +162,17 @@ const std::map<std::string, Setting>& settings() {
       {"/moving_masses/*/points_m", {{{"/moving_masses", kMassOnWaypoints}}, "[[0, 0, 0.1], [0.1, 0.1, 0]]"}},
       {"/moving_masses/*/file", {{{"/moving_masses", kMassAsMeasured}}, "\"other_places.csv\""}},
       {"/moving_masses/*/file_sha256", {{{"/moving_masses", kMassAsMeasured}}, "SHA256 OF ONE", {}, true}},
+      {"/travel", {{{"/travel", kSails}}}},
+      {"/travel/path", {{{"/travel", kSails}}, "\"geodesic\""}},
+      {"/travel/speed_kn",
+       {{{"/travel", kSails}}, "", {{"/travel", R"({"path": "rhumb", "course_deg": 30, "speed_kn": 10})"}}}},
+      {"/travel/legs/*/speed_kn",
+       {{{"/travel", kSails}},
+        "",
+        {{"/travel", R"({"path": "rhumb", "course_deg": 30, "speed_m_s": 10, "legs": [{"duration_s": 9, "speed_kn": 10}]})"}}}},
+      {"/travel/file", {{{"/site", "{}"}, {"/travel", kSailsAsMeasured}}, "\"other_voyage.csv\""}},
+      {"/travel/file_sha256", {{{"/site", "{}"}, {"/travel", kSailsAsMeasured}}, "SHA256 OF ONE", {}, true}},
+      {"/travel/radius_m", {{{"/travel", kSailsASphere}}}},
       {"/platform", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}}},
       {"/platform/motion",
        {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}},
@@ -345,7 +359,8 @@ class Codec : public ::testing::Test {
             << header << "\n0,0\n20,0.1\n40,0.2\n60," << last << "\n";
     for (const auto& [prefix, last] : {std::pair("one", "0.3"), std::pair("other", "0.4")})
       for (const auto& [name, header] :
-           {std::pair("_places.csv", "t_s,x_m,y_m,z_m"), std::pair("_torques.csv", "t_s,x_N_m,y_N_m,z_N_m")})
+           {std::pair("_places.csv", "t_s,x_m,y_m,z_m"), std::pair("_torques.csv", "t_s,x_N_m,y_N_m,z_N_m"),
+            std::pair("_voyage.csv", "t_s,latitude_deg,longitude_deg,height_m")})
         std::ofstream(temporary_.path() / (std::string(prefix) + name))
             << header << "\n0,0,0,0.1\n20,0.1,0,0.1\n40,0.2,0,0.1\n60," << last << ",0,0.1\n";
   }

@@ -30,6 +30,8 @@ SCENE = {"name": "scene", "site": {"latitude_deg": 45}, "body": BODY, "release":
 ANGLES = b"t_s,angle_rad\n0,0\n0.5,0.1\n1,0.1\n2,0\n"  # angles.csv, beside every scene
 PLACES = b"t_s,x_m,y_m,z_m\n0,0,0,0.03\n0.5,0.01,0,0.03\n1,0.02,0,0.03\n2,0.01,0,0.03\n"  # places.csv, too
 TORQUES = PLACES.replace(b"_m", b"_N_m")  # torques.csv, too
+VOYAGE = b"t_s,latitude_deg,longitude_deg,height_m\n0,45,10,5\n0.5,45,10,5\n1,45,10,5\n2,45,10,5\n"  # voyage.csv, too
+SAILING = {"path": "rhumb", "course_deg": 30, "speed_m_s": 10}
 RATES = b"t_s,rate_rad_s\n0,300\n0.5,310\n1,290\n2,280\n"  # rates.csv, too
 
 
@@ -140,6 +142,12 @@ WHOLE = [
                           "points_m": [[0, 0, 0.03], [0.01, 0, 0.03]]},
                          {"mass_kg": 0.01, "motion": "table", "file": "places.csv",
                           "file_sha256": hashlib.sha256(PLACES).hexdigest()}], release={"tilt_deg": 20}),
+    scene(travel={**SAILING, "reference": "same_path", "eotvos": "both", "figure": "wgs84",
+                  "legs": [{"duration_s": 1}, {"duration_s": 5, "speed_m_s": 11, "turn_deg": 3, "climb_m": -1},
+                           {"duration_s": 5, "speed_kn": 20}]}),
+    scene(travel={"path": "geodesic", "course_deg": -90, "speed_kn": 20, "reference": "at_rest", "eotvos": "off",
+                  "figure": "sphere", "radius_m": 6.4e6}),
+    scene(site={}, travel={"path": "table", "file": "voyage.csv", "file_sha256": hashlib.sha256(VOYAGE).hexdigest()}),
     scene(gimbals={"outer": {**RING, "axis_tilt_deg": 10, "axis_azimuth_deg": -30, "center_of_mass_m": [1e-3, 0, 0],
                              "viscous_torque_N_m_s": 1e-5, "coulomb_torque_N_m": 1e-5, "regularisation_rad_s": 0.01,
                              "torsion_N_m_rad": 1e-3, "torsion_rest_deg": 5},
@@ -259,6 +267,13 @@ BEYOND_THE_SCHEMA = [
      "not available with /moving_masses"),
     ({"moving_masses": [{"mass_kg": 1, "motion": "fixed", "center_m": [0, 0, 0]}], "contact": SLIDING},
      "not available with /contact"),
+    ({"travel": {**SAILING, "legs": [{"duration_s": 1}] * 10001}}, "at most 10000"),
+    ({"travel": {"path": "table", "file": "voyage.csv"}, "site": {"latitude_deg": 46}}, "the table of /travel begins at"),
+    ({"travel": {"path": "table", "file": "places.csv"}, "site": {}}, "must be the header"),
+    ({"travel": SAILING, "site": {"latitude_deg": 89.95}}, "near a pole"),
+    ({"travel": SAILING, "contact": SLIDING}, "not available with /travel"),
+    ({"travel": SAILING, "effects": {"coriolis": False}}, "not available with /travel"),
+    ({"travel": SAILING, "effects": "auto", "accuracy": {"drift_rad": 1e-9}}, "a laboratory at rest"),
     ({"gimbals": {"outer": RING, "inner": {"locked": True}}, "release": {**IN_GIMBALS, "inner_rate_rad_s": 1}}, "of a locked gimbal"),
     ({"gimbals": {"outer": {**RING, "locked": True}, "inner": {"locked": True}}, "release": IN_GIMBALS}, "both gimbals are locked"),
     ({"gimbals": {"outer": {"mass_kg": 0.1, "inertia": {"principal_kg_m2": [1e-4, 1e-4, 3e-4]}}}, "release": IN_GIMBALS}, "triangle"),
@@ -383,6 +398,7 @@ def check(earthtop, texts):
         pathlib.Path(directory, "rates.csv").write_bytes(RATES)
         pathlib.Path(directory, "places.csv").write_bytes(PLACES)
         pathlib.Path(directory, "torques.csv").write_bytes(TORQUES)
+        pathlib.Path(directory, "voyage.csv").write_bytes(VOYAGE)
         for index, text in enumerate(texts):
             path = pathlib.Path(directory, f"s{index}.json")
             path.write_text(text, encoding="utf-8")
