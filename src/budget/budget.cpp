@@ -241,7 +241,7 @@ struct Preparation {
 
   explicit Preparation(const Scene& scene)
       : candidates(effect_candidates(scene)),
-        inputs(scene.rotation_rate_rad_s() != 0 ? input_derivatives(scene) : InputDerivatives()),
+        inputs(scene.rotation_rate_rad_s() != 0 && !scene.scenario().travel ? input_derivatives(scene) : InputDerivatives()),
         all(all_inputs(candidates, inputs)),
         time_s(followed_time(scene)),
         by(responding(scene, time_s, all, candidates.size())),
@@ -249,22 +249,27 @@ struct Preparation {
 };
 
 /// The variations that size the effects are those of a body on a pivot.
-void require_sizes(const Support& support) {
+void require_sizes(const Scene& scene) {
+  const Support& support = scene.support();
   if (!support.no_effect_sizes.empty()) throw ScenarioError(std::string(support.pointer), std::string(support.no_effect_sizes));
+  const auto& travel = scene.scenario().travel;
+  if (travel && travel->reference == TravelReference::at_rest)
+    throw ScenarioError("/travel/reference",
+                        "effects are sized against the same journey on an Earth that stands still; take \"same_path\"");
 }
 
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
   if (scene.support().has_moving_parts()) return gyrostat_budget_seconds(scene);
-  require_sizes(scene.support());
+  require_sizes(scene);
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
   if (scene.support().has_moving_parts()) return gyrostat_budget(scene, watch);
-  require_sizes(scene.support());
+  require_sizes(scene);
   const NaturalUnits& units = scene.problem_without_rows<double>().units;
   const Preparation prepared(scene);
   const std::vector<Candidate>& candidates = prepared.candidates;
@@ -292,6 +297,8 @@ Budget effect_budget(const Scene& scene, const Watch& watch) {
                     completed ? "dry friction has no direction at rest" : to_string(up.drift.status)));
   if (scene.rotation_rate_rad_s() == 0)
     budget.inputs_unavailable = "the Earth does not turn, so that there is no effect to see";
+  else if (scene.scenario().travel)
+    budget.inputs_unavailable = "on a journey they are found by runs: give /report/sensitivities true";
   else if (!known || up.inputs_status != RunStatus::completed)
     budget.inputs_unavailable = "the drift is not known";
   else

@@ -10,6 +10,7 @@
 #include "earthtop/elementary.hpp"
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/applied_motion.hpp"
+#include "earthtop/model/carrier.hpp"
 
 namespace earthtop {
 namespace {
@@ -235,6 +236,31 @@ std::optional<Candidate> given_torque(const Scene& scene) {
   return c;
 }
 
+/// The torque of a part of the field at a travelling pivot: the mass moment times the part, at the release and largest.
+/// @param part_L  takes the model and a time to the part (m/s^2)
+template <class Part>
+std::array<double, 2> torque_on_journey(const Scene& scene, const Part& part_L) {
+  const Model<double>& model = scene.model<double>();
+  const double moment = norm(model.mass_moment_B), end = scene.scenario().duration_s;
+  constexpr int kLooks = 1000;
+  double largest = 0;
+  for (int i = 0; i <= kLooks; ++i) largest = std::max(largest, norm(part_L(model, end * i / kLooks)));
+  return {moment * norm(part_L(model, 0.0)), moment * largest};
+}
+/// The Coriolis acceleration of the laboratory, which leans the plumb line aboard to the side and makes it lighter or heavier.
+std::array<double, 2> eotvos_torque(const Scene& scene) {
+  const Vec3<double> W_L = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
+  return torque_on_journey(scene, [&](const Model<double>& model, double t) {
+    return Vec3<double>(
+        2 * W_L.cross(LaboratoryAxes<double>(model.journey, t).reference(model.journey.at(JourneyPart::velocity_in_L, t))));
+  });
+}
+/// The acceleration over an Earth that stands still, along the way and across it.
+std::array<double, 2> ballistic_torque(const Scene& scene) {
+  return torque_on_journey(scene, [](const Model<double>& model, double t) { return model.journey.at(JourneyPart::field, t); });
+}
+bool travels(const Scene& scene) { return scene.scenario().travel.has_value(); }
+
 /// Wraps a size function to the type that the catalogue holds. @tparam size  function that returns a Candidate
 template <auto size>
 std::optional<Candidate> sized(const Scene& scene) {
@@ -266,6 +292,24 @@ const Effect kEffects[] = {
      .is_modelled = [](const Scene& s) { return s.scenario().platform.has_value(); },
      .modelled_unsized = "not sized, since it carries both predictions",
      .left_out_unsized = "left out; the pivot is at rest in the laboratory"},
+    {.name = "eotvos",
+     .key = "/travel/eotvos",
+     .is_modelled = [](const Scene& s) { return travels(s) && s.scenario().travel->eotvos != TravelEotvos::off; },
+     .listing = Listing::where_modelled,
+     .modelled_unsized = "the Coriolis force on the laboratory, by which the plumb line aboard leans; for its drift run with "
+                         "/travel/eotvos \"both\"",
+     .torque = eotvos_torque},
+    {.name = "ballistic",
+     .key = "/travel",
+     .is_modelled = travels,
+     .listing = Listing::where_modelled,
+     .modelled_unsized = "the laboratory's acceleration over the Earth; it acts in both predictions",
+     .torque = ballistic_torque},
+    {.name = "transport",
+     .key = "/travel",
+     .is_modelled = travels,
+     .listing = Listing::where_modelled,
+     .modelled_unsized = "East, North and Up turn with the place; not sized, since both predictions see it"},
     {.name = "gravity_gradient",
      .key = "/effects/gravity_gradient",
      .is_modelled = [](const Scene& s) { return effects(s).applied.gravity_gradient.has_value(); },
@@ -389,7 +433,15 @@ EffectEntry unsized_entry(const Effect& effect, const Scene& scene) {
   entry.modelled = effect.is_modelled(scene);
   entry.in_difference = effect.is_zero;
   entry.reason = entry.modelled ? effect.modelled_unsized : effect.left_out_unsized;
-  if (effect.is_zero) entry.torque_release_N_m = entry.torque_largest_N_m = entry.drift_rad = entry.drift_final_rad = 0;
+  if (effect.torque && entry.modelled) {
+    const std::array<double, 2> torque = effect.torque(scene);
+    entry.torque_release_N_m = torque[0], entry.torque_largest_N_m = torque[1];
+  }
+  if (effect.is_zero && travels(scene))
+    entry.reason =
+        "in the axes East, North, Up that are carried along it is not zero; the motion is followed in axes without it";
+  else if (effect.is_zero)
+    entry.torque_release_N_m = entry.torque_largest_N_m = entry.drift_rad = entry.drift_final_rad = 0;
   return entry;
 }
 

@@ -54,7 +54,8 @@ enum class RowOwner {
   every_top,
   contact,  ///< those of a top on a table
   rotor,    ///< those of a body with a rotor
-  gimbals   ///< those of a Cardan suspension
+  gimbals,  ///< those of a Cardan suspension
+  journey   ///< those of a laboratory that travels
 };
 /// The name of an owner: the key of a summary that has its part.
 constexpr std::string_view name_of(RowOwner owner) {
@@ -63,6 +64,7 @@ constexpr std::string_view name_of(RowOwner owner) {
     case RowOwner::contact: return "contact";
     case RowOwner::rotor: return "rotor";
     case RowOwner::gimbals: return "gimbals";
+    case RowOwner::journey: return "travel";
   }
   return "";
 }
@@ -74,6 +76,7 @@ constexpr bool has_part(const BasicDriftRow<T>& row, RowOwner owner) {
     case RowOwner::contact: return row.contact.has_value();
     case RowOwner::rotor: return row.rotor.has_value();
     case RowOwner::gimbals: return row.gimbals.has_value();
+    case RowOwner::journey: return row.journey.has_value();
   }
   return true;
 }
@@ -427,6 +430,34 @@ constexpr void for_each_gimbal_quantity(const Visit& visit) {
         "drift_inner_angle_bound_rad"});
 }
 
+/// The quantities that follow in the runs of a laboratory that travels.
+/// @param visit  the same, but its function takes the part of a row on the journey (BasicJourneyRow of any scalar)
+template <class Visit>
+constexpr void for_each_journey_quantity(const Visit& visit) {
+  using enum MeasureKind;
+  using enum RowPart;
+  using Q = RowQuantity;
+  const auto visit_one = [&](auto member, RowQuantity quantity) {
+    quantity.owner = RowOwner::journey;
+    visit(member, quantity);
+  };
+  visit_one(
+      [](auto& j) -> auto& { return j.latitude_deg; },
+      Q{"latitude", "_deg", "geodetic latitude of the travelling laboratory", number, rotating, "latitude_deg"});
+  visit_one(
+      [](auto& j) -> auto& { return j.longitude_deg; },
+      Q{"longitude", "_deg", "longitude of the travelling laboratory, without jumps", number, rotating, "longitude_deg"});
+  visit_one(
+      [](auto& j) -> auto& { return j.height_m; },
+      Q{"height", "_m", "height of the travelling laboratory over the ellipsoid", number, rotating, "height_m"});
+  visit_one(
+      [](auto& j) -> auto& { return j.course_deg; },
+      Q{"course", "_deg", "compass course of the travelling laboratory, 0 to 360", number, rotating, "course_deg"});
+  visit_one(
+      [](auto& j) -> auto& { return j.speed_m_s; },
+      Q{"speed", "_m_s", "horizontal speed of the travelling laboratory over the Earth", number, rotating, "speed_m_s"});
+}
+
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;
 
 /// A quantity's function for a row, from its function for a part of it. It gives none where the row has no such part.
@@ -448,6 +479,9 @@ struct RotorPart {
 struct GimbalPart {
   static constexpr const auto& of(const auto& row) { return row.gimbals; }
 };
+struct TravelledPart {
+  static constexpr const auto& of(const auto& row) { return row.journey; }
+};
 /// Makes a table entry of a quantity of a part.
 template <class Read>
 constexpr DriftQuantity read_by(const RowQuantity& quantity) {
@@ -455,7 +489,7 @@ constexpr DriftQuantity read_by(const RowQuantity& quantity) {
           [](const ExtendedDriftRow& row, std::size_t component) -> std::optional<float128> { return Read{}(row, component); }};
 }
 
-/// The quantities of trajectory.csv as an array, in the same order; those of a contact, a rotor and gimbals come last.
+/// The quantities of trajectory.csv as an array, in the same order; those of a contact, a rotor, gimbals and a journey come last.
 inline constexpr auto kDriftQuantities = [] {
   constexpr std::size_t kCount = [] {
     std::size_t count = 0;
@@ -464,6 +498,7 @@ inline constexpr auto kDriftQuantities = [] {
     for_each_contact_quantity(one_more);
     for_each_rotor_quantity(one_more);
     for_each_gimbal_quantity(one_more);
+    for_each_journey_quantity(one_more);
     return count;
   }();
   std::array<DriftQuantity, kCount> all{};
@@ -476,6 +511,8 @@ inline constexpr auto kDriftQuantities = [] {
       [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), RotorPart>>(quantity); });
   for_each_gimbal_quantity(
       [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), GimbalPart>>(quantity); });
+  for_each_journey_quantity(
+      [&](auto member, const RowQuantity& quantity) { all[i++] = read_by<OfPart<decltype(member), TravelledPart>>(quantity); });
   return all;
 }();
 

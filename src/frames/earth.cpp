@@ -15,6 +15,11 @@ Vec3<double> geocentric_position_L(double latitude_deg, double height_m) {
   return {0.0, -e2 * N * s * c, N * (1 - e2 * s * s) + height_m};
 }
 
+double meridian_radius_m(double latitude_deg) {
+  const double s = sin_cos_degrees(latitude_deg).sin, f = 1 / kInverseFlatteningWgs84, e2 = f * (2 - f), q = 1 - e2 * s * s;
+  return kEquatorialRadiusWgs84 * (1 - e2) / (q * real::sqrt(q));
+}
+
 double normal_gravity(double latitude_deg, double height_m) {
   double north = 0, up = 0;
   GeographicLib::NormalGravity::WGS84().Gravity(latitude_deg, height_m, north, up);

@@ -71,10 +71,11 @@ S normal_gravity_of(const S& sin_latitude, const S& cos_latitude, const S& heigh
   S q_over_x, q1, q0_over_x, unused;
   sums(S(E2) / u2, q_over_x, q1);
   sums(S(E2 / (b * b)), q0_over_x, unused);
-  const S ratio = q_over_x / q0_over_x * (S(b) / u);  // q/q0
+  const S ratio = q_over_x / q0_over_x * (S(b) / u);          // q/q0
   const S ratio1 = q1 / (q0_over_x * S(real::sqrt(E2) / b));  // q'/q0
   const S W2 = (u2 + S(E2) * sin2) / v2;
-  const S along_u = S(T(0)) - (S(GM) + S(w * w * a * a * real::sqrt(E2)) * ratio1 * (S(T(1) / T(2)) * sin2 - S(T(1) / T(6)))) / v2 +
+  const S along_u = S(T(0)) -
+                    (S(GM) + S(w * w * a * a * real::sqrt(E2)) * ratio1 * (S(T(1) / T(2)) * sin2 - S(T(1) / T(6)))) / v2 +
                     S(w * w) * u * cos2;
   const S along_beta = (S(w * w * a * a) * ratio / v - S(w * w) * v) * sin_cos_beta;
   return sqrt(S((along_u * along_u + along_beta * along_beta) / W2));

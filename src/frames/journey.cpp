@@ -46,7 +46,8 @@ struct SeriesTurn {
   PowerSeries<T> sine, cosine;
   Vec3<T> axis;
   SeriesVector<T> operator()(const SeriesVector<T>& v) const {
-    const PowerSeries<T> along = PowerSeries<T>(axis[0]) * v[0] + PowerSeries<T>(axis[1]) * v[1] + PowerSeries<T>(axis[2]) * v[2];
+    const PowerSeries<T> along =
+        PowerSeries<T>(axis[0]) * v[0] + PowerSeries<T>(axis[1]) * v[1] + PowerSeries<T>(axis[2]) * v[2];
     return cosine * v + sine * cross(axis, v) + ((PowerSeries<T>(T(1)) - cosine) * along) * constant(axis);
   }
 };
@@ -58,7 +59,8 @@ int terms_that_count(const SeriesVector<T>& v, int terms, const T& length, T& la
   std::array<T, PowerSeries<T>::kMost> size{};
   largest = T(0);
   for (int k = 0; k < terms; ++k, power *= length) {
-    for (const PowerSeries<T>& s : v) size[static_cast<std::size_t>(k)] = std::max(size[static_cast<std::size_t>(k)], T(power * real::abs(s[k])));
+    for (const PowerSeries<T>& s : v)
+      size[static_cast<std::size_t>(k)] = std::max(size[static_cast<std::size_t>(k)], T(power * real::abs(s[k])));
     largest = std::max(largest, size[static_cast<std::size_t>(k)]);
   }
   while (terms > 0 && !(size[static_cast<std::size_t>(terms - 1)] > real::epsilon<T>() / T(8) * largest)) --terms;
@@ -74,16 +76,20 @@ class JourneyMaker {
   using Piece = typename Journey<T>::Piece;
 
   JourneyMaker(const TravelSpec& spec, const JourneySetting<T>& setting)
-      : spec_(spec), setting_(setting), path_(spec, setting.site.latitude_deg, setting.site.height_m),
+      : spec_(spec),
+        setting_(setting),
+        path_(spec, setting.site.latitude_deg, setting.site.height_m),
         pole_(T(0), path_.at_start().cos, path_.at_start().sin) {
     const T speed = path_.largest_speed();
     still_reference_ = spec.reference == TravelReference::at_rest;
     if (still_reference_ && speed > T(0)) epsilon_ = std::min(T(1), T(speed / T(kEquatorialRadiusWgs84)));
-    if (!setting.normal_gravity) return;
+    if (!spec.has_normal_gravity) return;
     const auto& start = path_.at_start();
     const Series height((T(setting.site.height_m)));
     const T exact = normal_gravity_of<T, Series>(Series(start.sin), Series(start.cos), height)[0];
-    gravity_rest_ = exact + T(setting.gravity_anomaly) - T(setting.site.gravity_m_s2);
+    const T rest = exact + T(setting.gravity_anomaly) - T(setting.site.gravity_m_s2);
+    // Gravity that is moved for a derivative stays as it is moved.
+    if (real::abs(rest) < T(kRounding) * exact) gravity_rest_ = rest;
   }
 
   T epsilon() const { return epsilon_; }
@@ -103,10 +109,13 @@ class JourneyMaker {
       const Parts parts = parts_of(way, t);
       T length = std::min(guess, rest);
       while (length > T(1e-9) * rest && !ends_in_time(parts, length)) length *= T(0.7);
-      if (length > T(0.6) * rest && length < rest) length = T(0.5) * rest;  // the rest of a part is not cut into a long and a short one
+      if (length > T(0.6) * rest && length < rest)
+        length = T(0.5) * rest;  // the rest of a part is not cut into a long and a short one
       made.push_back(piece_of(parts, t, length));
       if (made.size() > kMostPieces)
-        throw JourneyError(fmt::format("has more than {} stretches that differ, up to t = {:.6g} s; take a shorter run or a lower speed", kMostPieces, static_cast<double>(t)));
+        throw JourneyError(
+            fmt::format("has more than {} stretches that differ, up to t = {:.6g} s; take a shorter run or a lower speed",
+                        kMostPieces, static_cast<double>(t)));
       refuse_pole(way, t, length);
       place_ = {way.latitude.at(length), way.longitude.at(length), way.height.at(length), way.course.at(length)};
       length_ += parts[static_cast<std::size_t>(JourneyPart::course)][2].change_at(length);
@@ -120,13 +129,13 @@ class JourneyMaker {
  private:
   static constexpr int kTerms = Series::kMost - 2;  // two derivatives are taken
   static constexpr std::size_t kMostPieces = 1'000'000;
+  static constexpr double kRounding = 1e-14;  // of the site's gravity, which is a double
 
   /// Whether the last two terms of each part are below the rounding of the largest.
   static bool ends_in_time(const Parts& parts, const T& length) {
     T largest;
-    return std::ranges::all_of(parts, [&](const SeriesVector<T>& part) {
-      return terms_that_count(part, kTerms, length, largest) <= kTerms - 2;
-    });
+    return std::ranges::all_of(
+        parts, [&](const SeriesVector<T>& part) { return terms_that_count(part, kTerms, length, largest) <= kTerms - 2; });
   }
   static Piece piece_of(const Parts& parts, const T& start, const T& length) {
     Piece piece;
@@ -147,9 +156,10 @@ class JourneyMaker {
       const T middle = (before + after) / T(2);
       (is_near(middle) ? after : before) = middle;
     }
-    throw JourneyError(fmt::format("comes nearer than {:g} deg to a pole at t = {:.6g} s, where East and North lose their meaning; take a "
-                                   "shorter run or another course",
-                                   90 - kLargestLatitudeDeg, static_cast<double>(T(t + after))));
+    throw JourneyError(
+        fmt::format("comes nearer than {:g} deg to a pole at t = {:.6g} s, where East and North lose their meaning; take a "
+                    "shorter run or another course",
+                    90 - kLargestLatitudeDeg, static_cast<double>(T(t + after))));
   }
 
   Parts parts_of(const WayFrom<T>& way, const T& t) {
@@ -163,7 +173,8 @@ class JourneyMaker {
     const T scale = still_reference_ ? T(1) / epsilon_ : T(1);
     const Series s0((pole_[2])), c0((pole_[1])), over((scale));
     const SinCos<Series> d = sin_cos(way.latitude), l = sin_cos(way.longitude);
-    const SinCos<Series> half_d = sin_cos(Series(T(1) / T(2)) * way.latitude), half_l = sin_cos(Series(T(1) / T(2)) * way.longitude);
+    const SinCos<Series> half_d = sin_cos(Series(T(1) / T(2)) * way.latitude),
+                         half_l = sin_cos(Series(T(1) / T(2)) * way.longitude);
     const Series sd = over * d.sin, sl = over * l.sin, two((T(2)));
     const Series vd = two * half_d.sin * (over * half_d.sin), vl = two * half_l.sin * (over * half_l.sin);  // versines
     const Series &s = way.sin_latitude, &c = way.cos_latitude;
@@ -174,11 +185,11 @@ class JourneyMaker {
     const SeriesVector<T> x{one, zero, zero}, y{zero, one, zero}, z{zero, zero, one};
     const SeriesVector<T> east_E = x + back * east, north_E = y + back * north, up_E = z + back * up;
 
-    const SeriesVector<T> transport{zero - derivative(way.latitude), derivative(way.longitude) * c, derivative(way.longitude) * s};
+    const SeriesVector<T> transport{zero - derivative(way.latitude), derivative(way.longitude) * c,
+                                    derivative(way.longitude) * s};
     const SeriesVector<T> velocity_E = way.east * east_E + way.north * north_E + way.up * up_E;
     gravity_ = zero;
-    if (setting_.normal_gravity)
-      gravity_ = normal_gravity_of<T, Series>(s, c, Series(T(setting_.site.height_m)) + way.height);
+    if (spec_.has_normal_gravity) gravity_ = normal_gravity_of<T, Series>(s, c, Series(T(setting_.site.height_m)) + way.height);
     Series gravity_change(gravity_change_);  // since the release
     for (int k = 1; k < Series::kMost; ++k) gravity_change[k] = gravity_[k];
     gravity_change.terms = std::min(Series::kMost, gravity_.terms);

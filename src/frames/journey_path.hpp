@@ -34,7 +34,10 @@ class JourneyPath {
   };
 
   JourneyPath(const TravelSpec& spec, double latitude_deg, double height_m)
-      : spec_(spec), figure_(spec), height_m_(height_m), at_start_(sin_cos_degrees(T(latitude_deg))),
+      : spec_(spec),
+        figure_(spec),
+        height_m_(height_m),
+        at_start_(sin_cos_degrees(T(latitude_deg))),
         course_at_start_(sin_cos_degrees(T(spec.course_deg))) {
     if (spec.path == TravelPath::table) {
       for (std::size_t i = 0; i < 3; ++i) splines_.emplace_back(*spec.table[i].rows);

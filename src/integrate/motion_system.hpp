@@ -91,7 +91,8 @@ class GeneralMotionSystem
     auto [q_LB, w_XB_B, X] = problem_.natural_release();
     const Mat3<T> R_LB = rotation_matrix(q_LB);
     const Vec3<T> W_B = R_LB.transpose() * model_.W_IL_L;
-    if (model_.journey.has_still_reference()) w_XB_B += model_.epsilon * rate_change_at_release(model_, problem_.natural_release());
+    if (model_.journey.has_still_reference())
+      w_XB_B += model_.epsilon * rate_change_at_release(model_, problem_.natural_release());
     const bool inertial = X == RatesRelativeTo::inertial;
     const Vec3<T> w_LB_B = inertial ? Vec3<T>(w_XB_B - W_B) : w_XB_B;
     const Vec3<T> w_IB_B = inertial ? w_XB_B : Vec3<T>(w_XB_B + W_B);

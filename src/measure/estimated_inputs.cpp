@@ -33,12 +33,12 @@ constexpr CombinedName kCombinedNames[] = {{"omega_sin_latitude_rad_s", Combined
                                            {"omega_cos_latitude_rad_s", CombinedInput::northward_rate, "rad/s"},
                                            {"inertia_ratio", CombinedInput::inertia_ratio, ""},
                                            {"center_of_mass_m", CombinedInput::center_of_mass, "m"}};
-constexpr std::string_view kRooms[] = {"/site/",    "/earth/",    "/body/",    "/rotor/",         "/gimbals/",   "/release/",
-                                       "/contact/", "/platform/", "/effects/", "/moving_masses/", "/instrument/"};
+constexpr std::string_view kRooms[] = {"/site/",    "/earth/",    "/body/",    "/rotor/",         "/gimbals/",    "/release/",
+                                       "/contact/", "/platform/", "/effects/", "/moving_masses/", "/instrument/", "/travel/"};
 constexpr std::string_view kAllowedNames =
     "allowed are omega_sin_latitude_rad_s, omega_cos_latitude_rad_s, rotation_rate_rad_s, latitude_deg, gravity_m_s2, "
     "spin_rad_s, tilt_deg, inertia_ratio, center_of_mass_m, and keys of numbers of site, earth, body, rotor, gimbals, "
-    "moving_masses, release, contact, platform, effects or instrument, as /release/azimuth_deg";
+    "moving_masses, release, contact, platform, travel, effects or instrument, as /release/azimuth_deg";
 
 [[noreturn]] void refuse_estimate(const std::string& name, std::string_view what) {
   throw ScenarioError("--estimate " + input::excerpt(name, 80), std::string(what));

@@ -32,7 +32,9 @@ struct SeeOnJourney {
   auto operator()(const Vec3<T>& u_L, const Vec3<T>& change_L) const {
     return see(axes.reference(u_L), axes.difference(u_L, change_L, epsilon));
   }
-  auto operator()(const Vec3<Paired<T>>& u_L) const { return (*this)(parts(u_L, &Paired<T>::ref), parts(u_L, &Paired<T>::diff)); }
+  auto operator()(const Vec3<Paired<T>>& u_L) const {
+    return (*this)(parts(u_L, &Paired<T>::ref), parts(u_L, &Paired<T>::diff));
+  }
 };
 /// The inertial rate of the carrier as a body sees it.
 template <class T, class See>

@@ -72,7 +72,8 @@ ObservingFrame<T> platform_frame(const Model<T>& model, const LaboratoryNow<T>& 
 
 template <class T>
 ObservingFrame<T> body_frame(const Model<T>& model, const LaboratoryNow<T>& laboratory, const Quaternion<T>& q_LB,
-                             const Mat3<T>& R_LB, const Vec3<T>& w_LB_B, const Vec3<T>& applied_B, const RotorInside<T>& rotor) {
+                             const Mat3<T>& R_LB, const Vec3<T>& w_LB_B, const Vec3<T>& applied_B,
+                             const RotorInside<T>& rotor) {
   const Vec3<T>& field_L = laboratory.field_L;
   ObservingFrame<T> B;
   B.R_LA = R_LB;
@@ -107,8 +108,8 @@ Vec3<T> centrifugal_by_euler(const Mat3<T>& I_BP_B, const Vec3<T>& u_B) {
 
 /// The share of each effect in the physical torques, in the order of kAppliedShares. The gimbal reacts to all other torques.
 template <class T>
-std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, const LaboratoryNow<T>& laboratory,
-                                                            T t, const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B,
+std::array<Vec3<T>, kAppliedShares.size()> applied_shares_B(const Model<T>& model, const LaboratoryNow<T>& laboratory, T t,
+                                                            const Quaternion<T>& q_LB, const Vec3<T>& w_LB_B,
                                                             const Vec3<T>& applied_B) {
   const Vec3<T> nothing = Vec3<T>::Zero();
   Vec3<T> tide = nothing, gradient = nothing, friction = nothing, gimbal = nothing, support = nothing, given = nothing;

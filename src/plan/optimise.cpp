@@ -255,10 +255,10 @@ void require_design(const ScenarioSource& source, const Overrides& overrides, co
     if (std::any_of(design.begin(), input, [&](const DesignInput& other) { return other.pointer == input->pointer; }))
       refuse_design(input->pointer, "is given twice");
     if (input->pointer != kDuration && !measure::is_estimable(input->pointer))
-      refuse_design(
-          input->pointer,
-          "is not a number that can be chosen; give a number of site, earth, body, release, contact, platform or effects, "
-          "or /motion/duration_s, e.g. /release/tilt_deg=5:60");
+      refuse_design(input->pointer,
+                    "is not a number that can be chosen; give a number of site, earth, body, release, contact, platform, "
+                    "travel or effects, "
+                    "or /motion/duration_s, e.g. /release/tilt_deg=5:60");
     if (!std::isfinite(given_value(source, overrides, input->pointer)))
       refuse_design(input->pointer, "is not in the scenario; add it there, with any value");
     for (const double limit : {input->low, input->high}) {

@@ -68,6 +68,11 @@ std::vector<RowArray> arrays_of(const std::vector<DriftRow>& rows) {
       const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.gimbals); };
       arrays.push_back(array_of(rows, quantity, of_row));
     });
+  if (!rows.empty() && rows.front().journey)
+    for_each_journey_quantity([&](auto member, const RowQuantity& quantity) {
+      const auto of_row = [&](const DriftRow& row) -> auto& { return member(*row.journey); };
+      arrays.push_back(array_of(rows, quantity, of_row));
+    });
   return arrays;
 }
 

@@ -80,6 +80,7 @@ Scenario any_scenario(int kind) {
   scenario.moving_masses = {any_mass(kind)};
   scenario.platform = PlatformSpec{};
   scenario.platform->motion = static_cast<PlatformMotion>(kind % 4);
+  scenario.travel = TravelSpec{};
   const bool first = kind == 0;
   scenario.effects.tide.emplace().given = first;
   scenario.effects.automatic = true;

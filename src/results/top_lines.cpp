@@ -50,6 +50,38 @@ void add_gimbals(const TopFigures::OfGimbals& gimbals, Lines& lines) {
   lines.emplace_back("like the Earth", imitates);
 }
 
+/// An angle from North, by its size and side.
+std::string beside_north(double rad) {
+  const double degrees = rad * 180 / std::numbers::pi;
+  return degrees == 0 ? std::string("North")
+                      : fmt::format("{:.4g} deg {} of North", std::abs(degrees), degrees > 0 ? "East" : "West");
+}
+
+void add_journey(const JourneyFigures& journey, Lines& lines) {
+  constexpr double kDegrees = 180 / std::numbers::pi, kHour = 3600;
+  lines.emplace_back("journey", fmt::format("{:.6g} km, to latitude {:.6f} deg, longitude {:.6f} deg, height {:.6g} m",
+                                            journey.length_m / 1000, journey.end_latitude_deg, journey.end_longitude_deg,
+                                            journey.end_height_m));
+  std::string rate = fmt::format("East, North and Up turn over the Earth at up to {:.4g} rad/s", journey.transport_rate_rad_s);
+  if (journey.transport_over_earth) rate += fmt::format(", {:.3g} times the Earth's rate", *journey.transport_over_earth);
+  lines.emplace_back("transport rate", rate);
+  lines.emplace_back("plumb line", fmt::format("leans aboard by up to {:.4g} deg", journey.plumb_lean_rad * kDegrees));
+  if (journey.false_north_start_rad && journey.false_north_end_rad) {
+    const std::string start = beside_north(*journey.false_north_start_rad), end = beside_north(*journey.false_north_end_rad);
+    lines.emplace_back("false North", "a damped level compass points to " +
+                                          (start == end ? start : fmt::format("{} at the start, {} at the end", start, end)));
+  }
+  lines.emplace_back("wander",
+                     fmt::format("a level free axis turns in azimuth by {:.4g} deg/h at the start, {:.4g} deg/h of it by the "
+                                 "journey",
+                                 journey.wander_rad_s * kDegrees * kHour, journey.transport_wander_rad_s * kDegrees * kHour));
+  if (journey.schuler_kappa)
+    lines.emplace_back("Schuler",
+                       fmt::format("kappa = {:.4g}, 1 for a compass that no change of speed deflects; undamped period "
+                                   "{:.4g} min",
+                                   *journey.schuler_kappa, *journey.schuler_period_s / 60));
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top) {
@@ -79,6 +111,7 @@ std::vector<std::pair<std::string, std::string>> top_lines(const TopFigures& top
                                                    ? "at the amplitude of this release"
                                                    : "of small amplitude; this release does not nutate"));
   if (top.gimbals) add_gimbals(*top.gimbals, lines);
+  if (top.journey) add_journey(*top.journey, lines);
   for (const std::string& note : top.notes) lines.emplace_back("note", note);
   for (const std::string& what : top.left_out) lines.emplace_back("left out", what);
   return lines;

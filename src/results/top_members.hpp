@@ -12,6 +12,13 @@ inline Json to_word(const std::optional<NutationKind>& kind) {
   return *kind == NutationKind::of_release ? "of_release" : "small_amplitude";
 }
 
+inline std::string_view to_word(TravelReference reference) {
+  return reference == TravelReference::at_rest ? "at_rest" : "same_path";
+}
+inline std::string_view to_word(TravelEotvos eotvos) {
+  return eotvos == TravelEotvos::rotating ? "rotating" : eotvos == TravelEotvos::both ? "both" : "off";
+}
+
 /// A value that only a gyrostat has; left out for others.
 inline Json of_a_rotor(R r, const std::optional<double>& value) {
   return r.scene.scenario().rotor ? json_from(value) : kLeftOut;
@@ -81,6 +88,37 @@ inline constexpr auto kTopMembers = [] {
                            [](R r) { return r.scene.top().gimbals->earth_offset_m; })),
       of_scenario(compared("top.gimbals.earth_nutation_rad", derived, any, kAtEnd,
                            [](R r) { return r.scene.top().gimbals->earth_nutation_rad; })),
+      // Of a laboratory that travels.
+      object_or_nothing("travel", [](R r) { return r.scene.scenario().travel.has_value(); }),
+      of_scenario(told("travel.reference", kAtEnd, kWords, [](R r) { return to_word(r.scene.scenario().travel->reference); })),
+      of_scenario(told("travel.eotvos", kAtEnd, kWords, [](R r) { return to_word(r.scene.scenario().travel->eotvos); })),
+      of_scenario(compared("travel.length_m", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->length_m; })),
+      of_scenario(compared("travel.end_latitude_deg", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->end_latitude_deg; })),
+      of_scenario(compared("travel.end_longitude_deg", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->end_longitude_deg; })),
+      of_scenario(
+          compared("travel.end_height_m", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->end_height_m; })),
+      of_scenario(compared("travel.transport_rate_rad_s", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->transport_rate_rad_s; })),
+      of_scenario(compared("travel.transport_over_earth", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->transport_over_earth; })),
+      of_scenario(
+          compared("travel.plumb_lean_rad", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->plumb_lean_rad; })),
+      of_scenario(
+          told("travel.acceleration_m_s2", kAtEnd, kIsBounded, [](R r) { return r.scene.top().journey->acceleration_m_s2; })),
+      of_scenario(compared("travel.false_north_start_rad", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->false_north_start_rad; })),
+      of_scenario(compared("travel.false_north_end_rad", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->false_north_end_rad; })),
+      of_scenario(
+          compared("travel.wander_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->wander_rad_s; })),
+      of_scenario(compared("travel.transport_wander_rad_s", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->transport_wander_rad_s; })),
+      of_scenario(
+          compared("travel.schuler_kappa", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->schuler_kappa; })),
+      of_scenario(compared("travel.schuler_period_s", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->schuler_period_s; })),
       told(
           "top.notes", kAtEnd, kWords, [](R r) { return r.scene.top().notes; }, words),
       told(

@@ -19,9 +19,10 @@ namespace {
 bool has_columns(const RunResult& result, RowOwner owner) {
   if (!result.rows.empty()) return has_part(result.rows.front(), owner);
   const Scenario& scenario = result.scene.scenario();
-  return owner == RowOwner::every_top || (owner == RowOwner::contact ? scenario.contact.has_value()
-                                          : owner == RowOwner::rotor ? scenario.rotor.has_value()
-                                                                     : scenario.gimbals.has_value());
+  return owner == RowOwner::every_top || (owner == RowOwner::contact   ? scenario.contact.has_value()
+                                          : owner == RowOwner::rotor   ? scenario.rotor.has_value()
+                                          : owner == RowOwner::journey ? scenario.travel.has_value()
+                                                                       : scenario.gimbals.has_value());
 }
 
 std::string header(const RunResult& result) {
@@ -73,6 +74,7 @@ void append_row(std::string& text, const DriftRow& row) {
   if (row.contact) for_each_contact_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.contact)); });
   if (row.rotor) for_each_rotor_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.rotor)); });
   if (row.gimbals) for_each_gimbal_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.gimbals)); });
+  if (row.journey) for_each_journey_quantity([&](auto member, const RowQuantity&) { add_all(member(*row.journey)); });
   line.add_char('\n');
   text += line.text();
 }

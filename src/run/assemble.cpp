@@ -270,6 +270,13 @@ class Assembly {
     if (const auto note = note_on_air(result_)) result_.notes.push_back(*note);
     if (const std::string why = why_limited(result_); !why.empty()) result_.notes.push_back(why);
     if (!scenario_.effects.all_on()) result_.notes.emplace_back("non-physical scenario: a non-inertial torque is switched off");
+    if (!scenario_.travel) return;
+    if (scenario_.travel->reference == TravelReference::at_rest)
+      result_.notes.emplace_back(
+          "the prediction is that of a laboratory which stays at the place of the release, on the Earth that "
+          "turns: the drift is what the journey does");
+    if (scenario_.travel->eotvos == TravelEotvos::off)
+      result_.notes.emplace_back("non-physical scenario: the Coriolis force on the laboratory is left out");
   }
 
   void keep_for_later_rows() {

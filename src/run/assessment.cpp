@@ -31,9 +31,8 @@ bool is_without_gravity_about_outer_axis(const Scene& scene) {
 
 PivotConditions conditions_of(const Scene& scene) {
   PivotConditions conditions;
-  conditions.alone = scene.is_plain() ||
-                     (scene.support().has_moving_parts() && !scene.scenario().platform && !scene.scenario().travel &&
-                      scene.scenario().effects.plain());
+  conditions.alone = scene.is_plain() || (scene.support().has_moving_parts() && !scene.scenario().platform &&
+                                          !scene.scenario().travel && scene.scenario().effects.plain());
   const EffectsSpec& effects = scene.scenario().effects;
   conditions.beside_support =
       scene.support().is_fixed_pivot && effects.all_on() && !effects.tide && effects.applied.support_alone();

@@ -15,6 +15,8 @@ std::vector<InvariantReport> assess_invariants(const RunResult& result, const Wa
 /// Returns the leading-order predictions that apply to the scene: fast top, free gyroscope, sleeping top.
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift);
 /// Those of a Cardan suspension.   @param looks  at the motion, and not its rows
+std::vector<TheoryReport> assess_theory_of_journey(const Scene& scene, const std::vector<DriftRow>& looks,
+                                                   const DriftSummary& drift);
 std::vector<TheoryReport> assess_theory_of_gimbals(const Scene& scene, const std::vector<DriftRow>& looks,
                                                    const DriftSummary& drift);
 

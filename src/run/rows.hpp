@@ -19,11 +19,13 @@ template <class T>
 struct RowParts {
   std::optional<ContactRows<T>> table;
   std::optional<CageRows<T>> cage;
+  Journey<double> journey = {};
 
   explicit RowParts(std::optional<ContactRows<T>> rows_on_table) : table(std::move(rows_on_table)) {}
   RowParts(const Scene& scene, const std::vector<ContactEvent>& events) {
     if (scene.support().has_contact) table.emplace(scene.problem_without_rows<T>(), events);
     if (is_caged_top(scene.scenario())) cage.emplace(scene.scenario());
+    if (scene.scenario().travel) journey = scene.model<double>().journey;
   }
 };
 
@@ -51,6 +53,10 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   if (parts.cage) parts.cage->complete(row);
   if (sample.rotor) add_rotor_row(s, *sample.rotor, bound, row);
   if (sample.gimbals) add_gimbal_row(s, *sample.gimbals, bound, row);
+  if (!parts.journey.empty()) {
+    const JourneyPlace place = parts.journey.place(static_cast<double>(s.t_s));
+    row.journey = {T(place.latitude_deg), T(place.longitude_deg), T(place.height_m), T(place.course_deg), T(place.speed_m_s)};
+  }
   return row;
 }
 
@@ -81,6 +87,10 @@ BasicDriftRow<To> row_cast(const BasicDriftRow<From>& row) {
     BasicGimbalRow<To>& made = cast.gimbals.emplace();
     for_each_gimbal_quantity([&](auto member, const RowQuantity&) { cast_to(member(made), member(*row.gimbals)); });
     made.headline = row.gimbals->headline;
+  }
+  if (row.journey) {
+    BasicJourneyRow<To>& made = cast.journey.emplace();
+    for_each_journey_quantity([&](auto member, const RowQuantity&) { cast_to(member(made), member(*row.journey)); });
   }
   return cast;
 }

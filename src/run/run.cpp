@@ -152,7 +152,7 @@ std::optional<Method> other_method(Method chosen) {
 
 /// Whether another method could do better: nothing after the release is trusted, and it is not the motion that is to blame.
 bool is_worth_another(const RunResult& result) {
-  if (result.scene.rotation_rate_rad_s() == 0 || result.status == RunStatus::interrupted) return false;
+  if (!result.scene.has_drift() || result.status == RunStatus::interrupted) return false;
   if (const DriftRow* row = last_reliable_row(result); row != nullptr && row->t_s > 0) return false;
   const Method chosen = result.solution.method;
   // A drift below the noise of a series is below that of its neighbours, too; the bounds of the other two are wider.

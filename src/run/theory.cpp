@@ -263,6 +263,7 @@ SlowSwing unseen_swing(const Scene& scene, double duration_s) {
 }
 
 std::vector<TheoryReport> assess_theory(const Scene& scene, const std::vector<DriftRow>& rows, const DriftSummary& drift) {
+  if (scene.scenario().travel) return assess_theory_of_journey(scene, rows, drift);
   if (scene.support().has_gimbals) return assess_theory_of_gimbals(scene, rows, drift);
   const double Omega = scene.rotation_rate_rad_s();
   if (!scene.is_plain() || scene.symmetry_axis() != 2 || Omega == 0 || rows.size() < 3) return {};

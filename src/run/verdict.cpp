@@ -83,7 +83,7 @@ double log_of_lost_rounding(const RunResult& result) {
 
 FollowedGrowth follow_growth(const RunResult& result, const MotionProblem<double>& problem, double tolerance,
                              double log_round_off, const Watch& watch) {
-  const bool one_motion = norm(problem.model.W_IL_L) == 0;  // both are the same
+  const bool one_motion = norm(problem.model.W_IL_L) == 0 && !problem.model.journey.has_still_reference();  // both are the same
   // The damping by dry friction increases as the motion slows down, without limit at rest; so the growth ends before a stop.
   const double until_s = result.stops.empty() ? result.reached_s : 0.99 * result.stops.front().t_s;
   FollowedGrowth growth;

@@ -233,7 +233,7 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
   const bool is_trusted = verdict.verdict == Verdict::reliable && !verdict.from_s && verdict.intervals.empty();
   if (result.status != RunStatus::completed || result.looks.size() < 3 ||
       (!is_trusted && verdict.verdict != Verdict::unstable) || scene.scenario().platform || scene.scenario().effects.tide ||
-      !scene.scenario().effects.all_on() || scene.rotation_rate_rad_s() == 0)
+      !scene.scenario().effects.all_on() || (scene.rotation_rate_rad_s() == 0 && !scene.scenario().travel))
     return {};
   const Body<double>& body = scene.body<double>();
   why::Told told{result,
@@ -244,7 +244,9 @@ std::vector<WhySentence> why_sentences(const RunResult& result) {
                  body.I_BP_B(2, 2),
                  scene.axial_gravity_torque_N_m(),
                  {}};
-  if (is_trusted)
+  if (scene.scenario().travel)
+    why::tell_on_journey(told);
+  else if (is_trusted)
     reports_of(scene).tell(told);
   else
     why::tell_turn_over(told);

@@ -32,11 +32,6 @@ void tell_coriolis_on_all_parts(Told& told) {
            {{"coriolis_torque_N_m", all}, {"gyroscopic_N_m", gyroscopic}});
 }
 
-bool holds_in_run(const TheoryReport& theory) {
-  return theory.applies && theory.computed &&
-         std::abs(*theory.computed - theory.predicted) <= theory.predicted_error + theory.computed_error.value_or(0);
-}
-
 void tell_kept_direction(Told& told, const TheoryReport& theory) {
   told.add(
       "axis_stays",

@@ -44,6 +44,12 @@ struct Told {
   }
 };
 
+/// Whether a prediction applies and agrees with the run.
+inline bool holds_in_run(const TheoryReport& theory) {
+  return theory.applies && theory.computed &&
+         std::abs(*theory.computed - theory.predicted) <= theory.predicted_error + theory.computed_error.value_or(0);
+}
+
 inline Vec3<double> vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// The Coriolis torque (N m) that belongs to a velocity moment at a look.
@@ -168,6 +174,7 @@ void tell_with_gimbals(Told& told);
 void tell_with_masses(Told& told);
 void tell_on_pivot(Told& told);
 void tell_on_table(Told& told);
+void tell_on_journey(Told& told);
 void tell_sliding(Told& told);
 
 }  // namespace earthtop::why

@@ -104,6 +104,9 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
     const Section site = root.section("site");
     gravity = find_gravity(site, place_at_start(site, *scenario.travel, scenario.site), scenario.site);
   }
+  if (scenario.travel)
+    scenario.travel->has_normal_gravity =
+        scenario.site.gravity_m_s2 == normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
   if (root.has("rotor")) scenario.rotor = decode_rotor(root, source, scenario.duration_s);
   if (root.has("gimbals")) scenario.gimbals = decode_gimbals(root);
   if (body && scenario.rotor && !root.has("gimbals")) check_gyrostat(root, *body, *scenario.rotor);

@@ -21,9 +21,8 @@ namespace earthtop::scenario {
 namespace {
 
 constexpr std::size_t kMostLegs = 10'000;
-constexpr double kFastest = 1e5;         ///< m/s
-constexpr double kFarthestNorth = 89.9;  ///< latitude (deg) beyond which East and North turn too fast
-constexpr double kPeak = 15.0 / 8;       ///< of the rate of x^3 (10 - 15 x + 6 x^2), over its mean
+constexpr double kFastest = 1e5;    ///< m/s
+constexpr double kPeak = 15.0 / 8;  ///< of the rate of x^3 (10 - 15 x + 6 x^2), over its mean
 constexpr double kStandardGravity = 9.80665;
 
 /// Checks that the path has the keys it needs and no other. @returns whether that is so
@@ -105,7 +104,7 @@ bool check_places(const Section& travel, const TravelSpec& spec) {
     return refuse(0, fmt::format("longitude_deg is {}; must be from -360 to 360", longitude[0]));
   const double radius = spec.figure == TravelFigure::sphere ? spec.radius_m : kEquatorialRadiusWgs84;
   for (std::size_t i = 0; i < t.size(); ++i) {
-    if (std::abs(latitude[i]) > kFarthestNorth)
+    if (std::abs(latitude[i]) > kLargestLatitudeDeg)
       return refuse(i,
                     fmt::format("latitude_deg is {}; East and North lose their meaning near a pole: must be from -89.9 to 89.9",
                                 latitude[i]));
@@ -200,7 +199,7 @@ void check_beside_travel(const Section& root, const Scenario& scenario) {
   if (!root.has("travel")) return;
   const Section site = root.section("site"), effects = root.section("effects");
   const auto latitude = site.number("latitude_deg");
-  if (latitude && std::abs(*latitude) > kFarthestNorth)
+  if (latitude && std::abs(*latitude) > kLargestLatitudeDeg)
     site.refuse(
         "latitude_deg",
         fmt::format("is {}, and near a pole East and North turn too fast to travel by them; must be from -89.9 to 89.9 with "

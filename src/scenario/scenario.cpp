@@ -31,10 +31,6 @@ double resolved_rotation_rate_rad_s(const Scenario& scenario) {
   return excess_s == 0 ? scenario.rotation_rate_rad_s : earth_rate_with_length_of_day(scenario.rotation_rate_rad_s, excess_s);
 }
 
-bool follows_normal_gravity(const Scenario& scenario) {
-  return scenario.site.gravity_m_s2 == normal_gravity(scenario.site.latitude_deg, scenario.site.height_m);
-}
-
 Site resolved_site(const Scenario& scenario) {
   Site site = scenario.site;
   site.gravity_m_s2 += scenario.gravity_anomaly_m_s2;

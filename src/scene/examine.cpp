@@ -60,7 +60,20 @@ void check_cost(const Section& root, const Scene& scene) {
   }
 }
 
+/// Checks that a journey can be made to its end. @returns whether that is so
+bool check_journey(const Section& root, const Scene& scene) {
+  if (!scene.scenario().travel) return true;
+  try {
+    scene.model<double>();
+    return true;
+  } catch (const JourneyError& error) {
+    root.refuse_key("travel", error.what());
+    return false;
+  }
+}
+
 void check_scene(const Section& root, const Scene& scene) {
+  if (!check_journey(root, scene)) return;
   if (!check_start(root.section("release"), scene)) return;
   laws_of(scene).check(root, scene);
   check_effects(root.section("effects"), scene);

@@ -334,7 +334,8 @@ PlatformDemand demand_of(const TravelSpec& travel, double earth_rate_rad_s) {
     const AngleSpline<double> north(*travel.table[0].rows), east(*travel.table[1].rows), up(*travel.table[2].rows);
     const double metres = kRadius_m * kDegree;
     largest = real::hypot(metres * north.largest_rate(), metres * east.largest_rate(), up.largest_rate());
-    acceleration = real::hypot(metres * north.largest_acceleration(), metres * east.largest_acceleration(), up.largest_acceleration());
+    acceleration =
+        real::hypot(metres * north.largest_acceleration(), metres * east.largest_acceleration(), up.largest_acceleration());
     if (largest > 0) turning = acceleration / largest;
   }
   const double transport = largest / kRadius_m;

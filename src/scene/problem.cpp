@@ -28,7 +28,6 @@ Journey<T> journey_of(const Scene& scene) {
   JourneySetting<T> setting;
   setting.site = scene.site();
   setting.earth_rate = T(scene.rotation_rate_rad_s());
-  setting.normal_gravity = follows_normal_gravity(scenario);
   setting.gravity_anomaly = scenario.gravity_anomaly_m_s2;
   setting.duration_s = scenario.duration_s;
   return Journey<T>(*scenario.travel, setting);

@@ -41,7 +41,7 @@ Work PivotLaws::growth_work(const Scene& scene) const {
   if (!tolerance) return {};
   problem.pace = scene.pace();
   const Work work = earthtop::growth_work(problem, scene.scenario().duration_s, *tolerance);
-  const double motions = scene.rotation_rate_rad_s() == 0 ? 1 : 2;
+  const double motions = !scene.has_drift() ? 1 : 2;
   const double share = std::min(1.0, static_cast<double>(kMostGrowthSteps) / work.steps);
   return {motions * share * work.steps, motions * share * work.evaluations};
 }

@@ -92,6 +92,10 @@ bool Scene::is_reducible_when_driven() const {
   if (effects.applied.gimbal && (symmetry_axis() != 2 || scenario().platform)) return false;
   return symmetry_axis() >= 0 && model<double>().applied.is_symmetric_about(symmetry_axis());
 }
+bool Scene::has_drift() const {
+  const auto& travel = scenario().travel;
+  return rotation_rate_rad_s() != 0 || (travel && travel->reference == TravelReference::at_rest);
+}
 bool Scene::is_one_motion() const {
   return rotation_rate_rad_s() == 0 || scenario().release.rates_relative_to == RatesRelativeTo::inertial;
 }

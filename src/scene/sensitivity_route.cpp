@@ -75,16 +75,15 @@ Phases phases_until(const Scene& scene, double time_s) {
 SensitivityPlan plan_sensitivities(const Scene& scene, double time_s) {
   const Scenario& scenario = scene.scenario();
   SensitivityPlan plan;
-  const bool stays = scenario.travel && scenario.travel->reference == TravelReference::at_rest;
-  if (scene.rotation_rate_rad_s() == 0 && !stays)
+  if (!scene.has_drift())
     plan.refusal = "the Earth does not turn: there is no drift";
   else if (time_s == 0)
     plan.refusal = "no row of the drift is reliable";
   if (!plan.refusal.empty()) return plan;
   const std::size_t inputs = inputs_of(scenario).size();
-  const bool varied = scenario.contact ? has_tangents(scene.problem_without_rows<double>())
-                                       : scenario.effects.applied.coulomb_N_m == 0 && !scene.support().has_moving_parts() &&
-                                             !scenario.travel;
+  const bool varied =
+      scenario.contact ? has_tangents(scene.problem_without_rows<double>())
+                       : scenario.effects.applied.coulomb_N_m == 0 && !scene.support().has_moving_parts() && !scenario.travel;
   if (varied)
     for (const double tolerance : {kSensitivityTolerance, kCoarseSensitivityTolerance})
       plan.seconds += variations_seconds(scene, time_s, tolerance, inputs);

@@ -15,6 +15,7 @@
 #include "earthtop/model/gyrostat.hpp"
 #include "earthtop/model/release.hpp"
 #include "earthtop/scenario/support.hpp"
+#include "scene/journey_figures.hpp"
 #include "scene/support_laws.hpp"
 #include "text/number_words.hpp"
 
@@ -211,6 +212,7 @@ TopFigures top_figures_of(const Scene& scene) {
   if (std::abs(cosine) <= kRoundOff) cosine = 0;
   laws_of(scene).add_figures(top, scene, cosine);
   if (const auto& rotor = scene.scenario().rotor) add_rotor(top, scene, *rotor);
+  if (scene.scenario().travel) top.journey = journey_figures_of(scene);
   return top;
 }
 

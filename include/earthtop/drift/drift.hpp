@@ -63,6 +63,14 @@ struct BasicGimbalRow {
   GimbalHeadline headline = GimbalHeadline::axis;
 };
 
+/// The part of a row of a laboratory on a journey: where it is, and how it moves over the Earth.
+template <class T>
+struct BasicJourneyRow {
+  T latitude_deg = T(0), longitude_deg = T(0), height_m = T(0);
+  T course_deg = T(0);  ///< compass course, 0 to 360
+  T speed_m_s = T(0);   ///< horizontal
+};
+
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it
 /// belong to the motion on the rotating Earth. A drift is always rotating minus reference. Rows of extended precision are kept
 /// in float128, which holds a float80 unchanged.
@@ -75,17 +83,18 @@ struct BasicDriftRow {
   std::array<T, 3> ref_w_LB_B = {};
   std::array<T, 3> axis_L = {T(0), T(0), T(1)};  ///< body axis 3 in East, North, Up
   std::array<T, 3> ref_axis_L = {T(0), T(0), T(1)};
-  T drift_axis_rad = T(0);                    ///< angle between the two axes
-  T drift_axis_bound_rad = T(0);              ///< bound on the error of `drift_axis_rad`
-  std::optional<T> drift_azimuth_rad;         ///< difference of compass azimuths, continuous; none where an axis is vertical
-  T drift_tilt_rad = T(0);                    ///< difference of the axes' angles to the vertical
-  T drift_attitude_rad = T(0);                ///< angle of R_ref^T R_rot, 0 to pi
-  T drift_attitude_bound_rad = T(0);          ///< bound on the error of `drift_attitude_rad`
-  T drift_spin_rad = T(0);                    ///< difference of the spin phases, continuous
-  bool drift_reliable = true;                 ///< false from the time at which the run's verdict calls the drift unreliable
-  std::optional<BasicContactRow<T>> contact;  ///< of a top on a table
-  std::optional<BasicRotorRow<T>> rotor;      ///< of a gyrostat
-  std::optional<BasicGimbalRow<T>> gimbals;   ///< in the rows of a Cardan suspension
+  T drift_axis_rad = T(0);                      ///< angle between the two axes
+  T drift_axis_bound_rad = T(0);                ///< bound on the error of `drift_axis_rad`
+  std::optional<T> drift_azimuth_rad;           ///< difference of compass azimuths, continuous; none where an axis is vertical
+  T drift_tilt_rad = T(0);                      ///< difference of the axes' angles to the vertical
+  T drift_attitude_rad = T(0);                  ///< angle of R_ref^T R_rot, 0 to pi
+  T drift_attitude_bound_rad = T(0);            ///< bound on the error of `drift_attitude_rad`
+  T drift_spin_rad = T(0);                      ///< difference of the spin phases, continuous
+  bool drift_reliable = true;                   ///< false from the time at which the run's verdict calls the drift unreliable
+  std::optional<BasicContactRow<T>> contact;    ///< of a top on a table
+  std::optional<BasicRotorRow<T>> rotor;        ///< of a gyrostat
+  std::optional<BasicGimbalRow<T>> gimbals;     ///< in the rows of a Cardan suspension
+  std::optional<BasicJourneyRow<T>> journey{};  ///< of a laboratory that travels
 };
 using DriftRow = BasicDriftRow<double>;
 using ExtendedDriftRow = BasicDriftRow<float128>;

@@ -11,6 +11,9 @@ namespace earthtop {
 /// Position of the site relative to the Earth's centre, in axes East, North, Up (m); its East component is zero.
 Vec3<double> geocentric_position_L(double latitude_deg, double height_m);
 
+/// The radius of curvature of the WGS 84 ellipsoid along the meridian (m).
+double meridian_radius_m(double latitude_deg);
+
 /// Gravitation alone (no centrifugal part) of the WGS 84 ellipsoid, in laboratory axes East, North, Up (m/s^2).
 Vec3<double> gravitation_L(double latitude_deg, double height_m);
 

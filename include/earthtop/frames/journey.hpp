@@ -30,13 +30,13 @@ namespace earthtop {
 /// The functions of time that a journey consists of. The changes are those from the reference to the rotating motion, over epsilon; with
 /// `same_path` there are none, as all that changes follows from the rate of A.
 enum class JourneyPart : std::uint8_t {
-  east,           ///< L's axes in A, of the reference
-  north,          //
-  up,             //
-  rate,           ///< w_IL of the reference, in L (rad/s)
-  rate_slope,     ///< its derivative as L sees it, in L (rad/s^2)
-  velocity,       ///< of the pivot in A, of the rotating motion (m/s); with `at_rest` 0
-  field,          ///< of the reference in A, beside apparent gravity at the release along -Up: minus the pivot's acceleration (m/s^2)
+  east,        ///< L's axes in A, of the reference
+  north,       //
+  up,          //
+  rate,        ///< w_IL of the reference, in L (rad/s)
+  rate_slope,  ///< its derivative as L sees it, in L (rad/s^2)
+  velocity,    ///< of the pivot in A, of the rotating motion (m/s); with `at_rest` 0
+  field,  ///< of the reference in A, beside apparent gravity at the release along -Up: minus the pivot's acceleration (m/s^2)
   east_change,    //
   north_change,   //
   up_change,      //
@@ -48,9 +48,6 @@ enum class JourneyPart : std::uint8_t {
   velocity_in_L,  ///< East, North, Up (m/s)
 };
 inline constexpr std::size_t kJourneyParts = 16;
-
-/// No laboratory is carried farther North or South: East and North lose their meaning at the poles.
-inline constexpr double kLargestLatitudeDeg = 89.9;
 
 /// A journey that cannot be made; the message says why, and what to do.
 class JourneyError : public std::runtime_error {
@@ -70,9 +67,8 @@ struct JourneyPlace {
 template <class T>
 struct JourneySetting {
   Site site;
-  T earth_rate = T(0);           ///< rad/s
-  bool normal_gravity = false;   ///< whether gravity is that of WGS 84 all along, and not everywhere that of the site
-  double gravity_anomaly = 0;    ///< added to normal gravity (m/s^2)
+  T earth_rate = T(0);         ///< rad/s
+  double gravity_anomaly = 0;  ///< added to normal gravity (m/s^2)
   double duration_s = 0;
 };
 

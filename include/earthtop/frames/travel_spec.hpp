@@ -39,11 +39,14 @@ struct TravelSpec {
   TravelEotvos eotvos = TravelEotvos::rotating;
   TravelFigure figure = TravelFigure::wgs84;
   double radius_m = 6371008.7714;  ///< of the sphere: the mean radius of WGS 84, (2 a + b)/3
+  /// Whether gravity is normal gravity all along the journey, and not everywhere that of the site: where a scenario does not give it, or gives
+  /// that of the site.
+  bool has_normal_gravity = false;
 
   bool operator==(const TravelSpec&) const = default;
 };
 
-/// 1 knot in m/s, exactly 1852/3600.
-inline constexpr double kKnot = 1852.0 / 3600.0;
+/// No laboratory is carried farther North or South: East and North lose their meaning at the poles.
+inline constexpr double kLargestLatitudeDeg = 89.9;
 
 }  // namespace earthtop

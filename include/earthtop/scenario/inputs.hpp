@@ -75,6 +75,11 @@ inline double* axial_of_ring(Scenario& s) {
   return s.gimbals && s.gimbals->ring ? if_on(s.gimbals->ring->inertia_kg_m2[2][2]) : nullptr;
 }
 
+/// A number of the start of a journey; a table has none.
+inline double* of_start(Scenario& s, double TravelSpec::*member) {
+  return s.travel && s.travel->path != TravelPath::table ? &((*s.travel).*member) : nullptr;
+}
+
 }  // namespace inputs
 
 inline constexpr std::array<InputRow, kInputCount> kInputs = {
@@ -267,6 +272,12 @@ inline constexpr std::array<InputRow, kInputCount> kInputs = {
     {"/uncertainty/air_force_quadratic_N_s2_m2", "/effects/air_force/quadratic_N_s2_m2", "N s^2/m^2", 1e9,
      "standard error of effects/air_force/quadratic_N_s2_m2, where it is not 0", InputKind::number,
      [](Scenario& s) { return inputs::in(s.effects.applied.air_force, &AirForceSpec::quadratic_N_s2_m2); }},
+    {"/uncertainty/travel_speed_m_s", "/travel/speed_m_s", "m/s", 1e5,
+     "standard error of travel/speed_m_s, of the speed at the start", InputKind::number,
+     [](Scenario& s) { return inputs::of_start(s, &TravelSpec::speed_m_s); }},
+    {"/uncertainty/travel_course_deg", "/travel/course_deg", "deg", 360,
+     "standard error of travel/course_deg, of the course at the start", InputKind::number,
+     [](Scenario& s) { return inputs::of_start(s, &TravelSpec::course_deg); }},
 };
 static_assert(!kInputs.back().pointer.empty());
 

@@ -55,7 +55,7 @@ struct HeadlineSpec {
 };
 
 /// The number of inputs with respect to which a drift is differentiated; inputs.hpp lists them.
-inline constexpr std::size_t kInputCount = 59;
+inline constexpr std::size_t kInputCount = 61;
 
 struct Scenario {
   // The special members are defined in one source file, to save compile time in the others.
@@ -138,8 +138,6 @@ ScenarioSource read_scenario_source(const std::string& path);
 
 /// Returns the Earth's rotation rate (rad/s), reduced by the excess length of day.
 double resolved_rotation_rate_rad_s(const Scenario& scenario);
-/// Returns whether gravity is normal gravity all along a journey: where it was not given, or given as that of the site.
-bool follows_normal_gravity(const Scenario& scenario);
 /// Returns the site with the gravity anomaly added to its apparent gravity (m/s^2).
 Site resolved_site(const Scenario& scenario);
 

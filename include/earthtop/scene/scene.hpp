@@ -124,6 +124,8 @@ class Scene {
   bool is_reducible_when_driven() const;
   /// Returns whether the two predictions are the same motion apart from a rotation of the laboratory.
   bool is_one_motion() const;
+  /// Returns whether anything makes the two predictions differ: the Earth's rotation, or a journey against a laboratory at rest.
+  bool has_drift() const;
 
   /// Returns the same scene on an Earth that does not rotate, with the same attitude and the same rates in the frame that the
   /// release names.

@@ -28,6 +28,23 @@ struct GimbalFigures {
   std::optional<double> earth_torque_N_m, earth_offset_m, earth_nutation_rad;
 };
 
+/// The figures of a laboratory's journey.
+struct JourneyFigures {
+  double length_m = 0;
+  double end_latitude_deg = 0, end_longitude_deg = 0, end_height_m = 0;
+  double transport_rate_rad_s = 0;             ///< largest rate at which East, North and Up turn over the Earth
+  std::optional<double> transport_over_earth;  ///< that over the Earth's rate; none where it does not turn
+  double plumb_lean_rad = 0;                   ///< largest angle of the plumb line aboard from the ellipsoid's normal
+  double acceleration_m_s2 = 0;                ///< largest over an Earth that stands still, beside what its curvature makes
+  /// The azimuth of the horizontal part of the laboratory's inertial rate, at the start and at the end: false North, where a damped level
+  /// compass settles (rad, clockwise from North); none where that part has no component to the North.
+  std::optional<double> false_north_start_rad, false_north_end_rad;
+  /// The rate at which a level axis that is free turns in azimuth at the start, clockwise, and the part of it that the journey makes (rad/s).
+  double wander_rad_s = 0, transport_wander_rad_s = 0;
+  /// Of a pendulous compass: kappa = m l M W_N / h at the start, 1 with Schuler's tuning, and the undamped period.
+  std::optional<double> schuler_kappa, schuler_period_s;
+};
+
 /// A figure is empty where its theory does not apply; `left_out` says why. All rates are those of the motion without Earth
 /// rotation and without friction, from the attitude and the rates of the release, which both predictions share.
 struct TopFigures {
@@ -70,6 +87,8 @@ struct TopFigures {
 
   using OfGimbals = GimbalFigures;
   std::optional<OfGimbals> gimbals = {};
+
+  std::optional<JourneyFigures> journey = {};
 
   std::vector<std::string> left_out;  ///< what does not apply, and why, each a sentence without its full stop
   std::vector<std::string> notes;     ///< what holds of the figures that are given, in the same form

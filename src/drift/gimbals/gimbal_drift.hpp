@@ -113,7 +113,8 @@ class GimbalDrift : public WithSeries<RecordedSeries<T, GimbalShape::kSize>> {
       // By how much faster than the reference's the carrier turns.
       Vec3<T> faster = parts(around.turning, &P::diff);
       if constexpr (O == Observer::laboratory) faster += parts(around.earth, &P::diff);
-      const Vec3<P> W_A = pose.into_ring(paired_vector(Vec3<T>(Vec3<T>::Zero()), faster, model.epsilon)), W_B = pose.into_body(W_A), a_B = pose.outer_axis_B();
+      const Vec3<P> W_A = pose.into_ring(paired_vector(Vec3<T>(Vec3<T>::Zero()), faster, model.epsilon)),
+                    W_B = pose.into_body(W_A), a_B = pose.outer_axis_B();
       if (!gimbals.outer.locked) outer -= W_A[2];
       const P outer_change = outer - P(given.outer_rate);
       if (!gimbals.inner.locked) inner_rate -= W_B[1] + outer_change * a_B[1];

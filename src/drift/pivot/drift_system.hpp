@@ -239,9 +239,7 @@ class DriftSystem : public DriftSeriesOf<T, R, K == SceneKind::gyrostat> {
   }
 
   /// The part of the shared state that the drift is measured from: `ref_q_LB`, `e_w`, `e_v_scaled` and `epsilon`. It is cheap.
-  DriftState<T> deviation_state(const State& x, T t) const {
-    return deviation_from_journey(model_, deviation_in_A(x, t), t);
-  }
+  DriftState<T> deviation_state(const State& x, T t) const { return deviation_from_journey(model_, deviation_in_A(x, t), t); }
   DriftState<T> deviation_in_A(const State& x, T t) const {
     const Quaternion<T> ref_q = drift_state::load_motion(x, drift_state::kReference).q;
     DriftState<T> s = seen_from_laboratory<O>(model_, ref_q, drift_state::load_deviation(x), t);

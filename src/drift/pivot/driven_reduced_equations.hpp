@@ -115,11 +115,13 @@ struct DrivenReducedEquations {
     if (!model.journey.empty()) {
       if (!model.applied.any) return seen;
       const applied_motion::SeeOnJourney<T, See> from_L{LaboratoryAxes<T>(model.journey, t), model.epsilon, see};
-      see_torques(top, model, t, [&](const Vec3<T>& u_L) { return from_L(u_L, unchanged); }, seen);
+      see_torques(
+          top, model, t, [&](const Vec3<T>& u_L) { return from_L(u_L, unchanged); }, seen);
       if (model.applied.friction()) seen.w_IP = applied_motion::carrier_rate(model, t, from_L);
       return seen;
     }
-    see_torques(top, model, t, [&](const Vec3<T>& u_L) { return see(u_L, unchanged); }, seen);
+    see_torques(
+        top, model, t, [&](const Vec3<T>& u_L) { return see(u_L, unchanged); }, seen);
     if (!model.applied.friction()) return seen;
     seen.w_IP = see(applied_motion::Carrier<T>(model.platform, t).w_LP_L, model.W_IL_L_scaled);
     return seen;

@@ -114,7 +114,9 @@ class Journey<real::Recorded<T>> {
     for (const Term& term : terms_) {
       taylor::GivenFunction<T> function;
       function.components = 3;
-      function.expand = [journey = term.journey, part](T at, std::span<std::array<T, 3>> rows) { journey.expand(part, at, rows); };
+      function.expand = [journey = term.journey, part](T at, std::span<std::array<T, 3>> rows) {
+        journey.expand(part, at, rows);
+      };
       const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
       for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += term.factor * Scalar(*t.recording(), places[i]);
     }
