@@ -123,7 +123,7 @@ FIRST = [
     page(["The plane of the swing has turned by ", "Path of the bob, seen from above", "The plane of the swing turns",
           "Turn of the plane of swing, clockwise from above (degrees)", "with the Earth's rotation", "Pale: all swings; dark: the last one.",
           "The same scale in both directions. Rings: start. Dots: end. Pale", "The azimuth of the bob where it is farthest from the vertical.",
-          "without rotation, East (m)without rotation, North (m)"], "foucault-pendulum",
+          "prediction, East (m)prediction, North (m)"], "foucault-pendulum",
          {"/motion/duration_s": 60, "/criteria": None, "/headline": None}, unless={"/body/center_of_mass_m/2": 0.5}),
     page(["The swing about North", "The axis swings about North", "North is at 0.", "The angle between the two axes. Drawn"],
          "hard/t08-gyrocompass", {"/criteria": None}, unless={"/effects/gimbal": False}),
