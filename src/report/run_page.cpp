@@ -18,6 +18,7 @@
 #include "report/drift_section.hpp"
 #include "report/finding.hpp"
 #include "report/first_figure.hpp"
+#include "report/journey_section.hpp"
 #include "report/motion_data.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
@@ -292,6 +293,7 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch, cons
                animation_html(run) + still_html(run, page) + (run.played_words == run.drawn_words ? "" : played));
   if (!is_told) add_drift();
   if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
+  add_journey(run, page);
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   page.fold("protocol", "Protocol");
   if (run.scene) page.section("your-top", "Your top", top_section(run));
