@@ -102,11 +102,13 @@ add_library(earthtop-workbench
   report/first_figure.cpp
   report/gallery.cpp
   report/html.cpp
+  report/journey_section.cpp
   report/known_html.cpp
   report/measurement_page.cpp
   report/motion_data.cpp
   report/packed.cpp
   report/path_picture.cpp
+  report/track_map.cpp
   report/top_still.cpp
   report/plan_page.cpp
   report/report.cpp

@@ -9,6 +9,7 @@ DriftCurves drift_curves(const Run& run, const Motion& motion) {
   DriftCurves curves;
   curves.title = title_of(run);
   curves.matching_rule = run.word("/matching_rule/statement");
+  curves.compared = run.compared();
   curves.is_resolved = motion.is_resolved;
   curves.a_window = motion.a_window;
   for (const compare::Row& row : motion.rows) curves.t_s.push_back(row.t_s);

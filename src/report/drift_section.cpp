@@ -17,10 +17,11 @@ namespace {
 /// The bound comes from the output rows: it only grows, so that it needs no others.
 Figure bound_figure(const Run& run) {
   const ReadableUnit unit = angle_unit(run.number("/drift/axis_max_rad").value_or(0));
-  Figure figure{"The bound on the error of the angle between the two spin axes",
-                "Rotating against non-rotating Earth; " + run.word("/matching_rule/statement"),
-                {"Time", run.time.name},
-                {{{"Bound on the error", std::string(unit.name), AxisScale::logarithmic}, {}}}};
+  Figure figure{
+      "The bound on the error of the angle between the two spin axes",
+      fmt::format("{} against {}; {}", run.compared().former, run.compared().latter, run.word("/matching_rule/statement")),
+      {"Time", run.time.name},
+      {{{"Bound on the error", std::string(unit.name), AxisScale::logarithmic}, {}}}};
   figure.panels[0].lines = {{"", times(run, run.listed), values(run.listed, "drift_axis_bound_rad", unit.per_si),
                              LineColor::vermillion, LineStyle::filled}};
   return figure;
@@ -81,9 +82,10 @@ std::string motion_html(const Run& run) {
                         known_value(run, "/motion/spin_final_rad_s", "/motion/spin_final_bound_rad_s", "rad/s"));
   if (run.number("/motion/swing/plane_rate_rad_s"))
     html += fmt::format(
-        "<p>The plane of the swing turns by {}, clockwise seen from above; without the Earth it would by {}. Its semi-axes are "
-        "{} and {} at the end.</p>\n",
+        "<p>The plane of the swing turns by {}, clockwise seen from above; without {} it would by {}. Its semi-axes "
+        "are {} and {} at the end.</p>\n",
         known_value(run, "/motion/swing/plane_rate_rad_s", "/motion/swing/plane_rate_bound_rad_s", "rad/s"),
+        run.compared().agent,
         known_value(run, "/motion/swing/apsidal_rate_rad_s", "/motion/swing/apsidal_rate_bound_rad_s", "rad/s"),
         known_value(run, "/motion/swing/major_end_rad", "/motion/swing/major_end_bound_rad", "rad"),
         known_value(run, "/motion/swing/minor_end_rad", "/motion/swing/minor_end_bound_rad", "rad"));

@@ -135,7 +135,7 @@ std::string length_words(const Run& run, const LastDrift& drift) {
       if (row.t_s != drift.at_s) continue;
       const double far = value(row, column("drift_tip_m")), error = value(row, column("drift_tip_bound_m"));
       if (std::isfinite(far))
-        return "Its tip stands " + short_length(far, error) + " from where it would be if the Earth did not turn";
+        return "Its tip stands " + short_length(far, error) + " from where it would be " + std::string(run.compared().if_not);
     }
   }
   const double chord = 2 * real::sin(std::abs(drift.axis_rad) / 2),
@@ -144,11 +144,11 @@ std::string length_words(const Run& run, const LastDrift& drift) {
     const auto& centre = run.scene->top().center_of_mass_m;
     const double far = std::abs(centre[2]);
     if (far > 0 && std::abs(centre[0]) + std::abs(centre[1]) <= 1e-9 * far)
-      return fmt::format("Its centre of mass, {} from the pivot, stands {} from where it would be if the Earth did not turn",
-                         given_length(far), short_length(far * chord, far * error));
+      return fmt::format("Its centre of mass, {} from the pivot, stands {} from where it would be {}", given_length(far),
+                         short_length(far * chord, far * error), run.compared().if_not);
   }
-  return fmt::format("A metre from the pivot, its axis stands {} from where it would be if the Earth did not turn",
-                     short_length(chord, error));
+  return fmt::format("A metre from the pivot, its axis stands {} from where it would be {}", short_length(chord, error),
+                     run.compared().if_not);
 }
 
 /// When the drift cannot be trusted, and why; from results that have no intervals, only from when on.
@@ -190,10 +190,10 @@ std::string all_digits(const Run& run, const LastDrift& drift) {
     share = fmt::format(" The error is at most a fraction of {}.",
                         error_html(0, drift.bound_rad / drift.axis_rad, ReadableUnit{"", "", 1}));
   return fmt::format(
-      "<p>After {} the axis stands {} from where the non-rotating prediction puts it{}. Both predictions: {}.{} In radians the "
+      "<p>After {} the axis stands {} from where the {} puts it{}. Both predictions: {}.{} In radians the "
       "angle "
       "is {}.</p>\n",
-      number_html(drift.at_s, "s"), known_angle_html(drift.axis_rad, drift.bound_rad, true), tip,
+      number_html(drift.at_s, "s"), known_angle_html(drift.axis_rad, drift.bound_rad, true), run.compared().reference, tip,
       escaped(run.word("/matching_rule/statement")), share, known_html(drift.axis_rad, drift.bound_rad, "rad"));
 }
 
@@ -210,16 +210,17 @@ std::string_view group_of(const Run& run) {
 std::string finding_html(const Run& run) {
   const LastDrift drift = last_drift(run);
   const std::string name = name_of_top(run), verdict = run.word("/drift/verdict");
+  const std::string_view agent = run.compared().agent;
   const bool is_noise = verdict == "noise_floor" && std::isfinite(drift.axis_rad) && std::isfinite(drift.bound_rad);
   if (is_noise)
     return fmt::format(
-        "In {} the Earth turns this {}'s axis by less than {}", duration_html(drift.at_s), name,
+        "In {} {} turns this {}'s axis by less than {}", duration_html(drift.at_s), agent, name,
         angle_in_words(drift.axis_rad + drift.bound_rad, drift.bound_rad, angle_unit(drift.axis_rad + drift.bound_rad)));
-  if (!drift.is_known) return fmt::format("How far the Earth turns this {}'s axis is not known", name);
+  if (!drift.is_known) return fmt::format("How far {} turns this {}'s axis is not known", agent, name);
   const ToldAngle told = told_angle(run, drift);
   const std::string angle = angle_in_words(told.rad, told.bound_rad, told.unit), time = duration_html(drift.at_s);
   if (told.which == ToldAngle::of_plane)
-    return fmt::format("In {} the Earth turns this {}'s plane of swing by {}", time, name, angle);
+    return fmt::format("In {} {} turns this {}'s plane of swing by {}", time, agent, name, angle);
   std::string beyond;
   if (verdict != "reliable") {
     if (drift.at_s < run.number("/outcome/reached_s").value_or(drift.at_s))
@@ -228,10 +229,10 @@ std::string finding_html(const Run& run) {
       beyond = verdict == "marginal" ? ", at the limit of its stability" : ", as would any other disturbance";
   }
   if (told.which == ToldAngle::about_axis)
-    return fmt::format("In {} the Earth turns this {} {} about its axis", time, name, angle) + beyond;
+    return fmt::format("In {} {} turns this {} {} about its axis", time, agent, name, angle) + beyond;
   if (told.rad == 0)
     return fmt::format("In {} nothing turns this {}'s axis off course", time, name) + (beyond.starts_with(';') ? beyond : "");
-  return fmt::format("In {} the Earth turns this {}'s axis {} off course", time, name, angle) + beyond;
+  return fmt::format("In {} {} turns this {}'s axis {} off course", time, agent, name, angle) + beyond;
 }
 
 std::string measure_html(const Run& run) {

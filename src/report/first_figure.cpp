@@ -19,7 +19,8 @@ namespace earthtop::report {
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr const char *kWith = "with the Earth's rotation", *kWithout = "without it";
+constexpr const char* kWithout = "without it";
+std::string with_cause(const Run& run) { return fmt::format("with {}", run.compared().cause); }
 
 /// An angle without its jumps by a whole period.
 void unwrap(std::vector<double>& angles, double period) {
@@ -73,7 +74,7 @@ std::string rosette(const Run& run, Page& page, const PlaneTurn& turn, std::size
       for (std::size_t i = run.drawn.a_window; i < path.x.size(); i += run.drawn.a_window) path.x[i] = kNoNumber;
     return path;
   };
-  picture.rotating = path_of(kWith, "axis_L");
+  picture.rotating = path_of(with_cause(run), "axis_L");
   picture.reference = path_of(kWithout, "ref_axis_L");
   constexpr double kRim_px = 200, kDense_px = 4;
   constexpr std::size_t kMany = 20;
@@ -97,15 +98,15 @@ std::string rosette(const Run& run, Page& page, const PlaneTurn& turn, std::size
   return page.picture("rosette", path_svg(picture),
                       std::string("The same scale in both directions. Rings: start. Dots: end. ") +
                           (is_dense ? "Pale: all swings; dark: the last one. " : "") + run.drawn_words,
-                      table_html({fmt::format("Time ({})", run.time.name), "East (m)", "North (m)",
-                                  "without rotation, East (m)", "without rotation, North (m)"},
+                      table_html({fmt::format("Time ({})", run.time.name), "East (m)", "North (m)", "prediction, East (m)",
+                                  "prediction, North (m)"},
                                  rows));
 }
 
 /// A chart of one panel with both motions; of a label that is empty no line.
 Figure both(const Run& run, const char* title, const char* label, const char* unit, Line with, Line without) {
   Panel panel{{label, unit}, {}};
-  with.label = kWith;
+  with.label = with_cause(run);
   without.label = kWithout;
   with.color = LineColor::vermillion;  // the colours of the pictures that move
   without.style = LineStyle::dashed;

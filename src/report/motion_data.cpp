@@ -195,6 +195,7 @@ void add_motion(const Run& run, Json& data) {
   const std::vector<double> axis = directions(run.played, "axis_L_x"), reference = directions(run.played, "ref_axis_L_x");
   if (all_finite(axis) && all_finite(reference)) data["packed"]["axes"] = packed_axes(axis, reference);
   data["spin_rad_s"] = run.drawn.rows.empty() ? 0.0 : run.drawn.rows.front().value[column("w_LB_B_z_rad_s")];
+  data["cause"] = run.compared().cause;
   data["earth_rate_L"] = {0, 0, 0};
   data["precession_axis_L"] = {0, 0, 1};
   data["torques"] = nullptr;
@@ -206,10 +207,17 @@ void add_motion(const Run& run, Json& data) {
                  {"moments_about_center_kg_m2", top.moments_about_center_kg_m2}};
   if (run.scene->symmetry_axis() != 2) add_attitude(run, data);
   if (const auto& rotor = run.scene->scenario().rotor; rotor && !run.played.rows.empty()) add_rotor(run, *rotor, data);
-  const Model<double>& model = run.scene->model<double>();
-  if (model.masses.any()) add_masses(run, data);
+  if (run.scene->model<double>().masses.any()) add_masses(run, data);
   if (run.scene->scenario().gimbals && !run.played.rows.empty()) add_ring(run, data);
-  data["earth_rate_L"] = {model.W_IL_L[0], model.W_IL_L[1], model.W_IL_L[2]};
+  const Vec3<double> rate_L = earth_rate_L(*run.scene, 0);
+  data["earth_rate_L"] = {rate_L[0], rate_L[1], rate_L[2]};
+}
+
+Vec3<double> earth_rate_L(const Scene& scene, double t_s) {
+  const Model<double>& model = scene.model<double>();
+  if (model.journey.empty()) return model.W_IL_L;
+  const SinCos<double> phi = sin_cos_degrees(model.journey.place(t_s).latitude_deg);
+  return Vec3<double>(scene.rotation_rate_rad_s() * Vec3<double>(0, phi.cos, phi.sin));
 }
 
 }  // namespace earthtop::report

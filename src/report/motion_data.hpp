@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "earthtop/vectors.hpp"
 #include "report/html.hpp"
 #include "report/run_data.hpp"
 
@@ -20,5 +21,8 @@ double extent(const std::vector<double>& x, const std::vector<double>& y);
 
 /// Adds the motion that is played, the top that moves, and the Earth's rate; without torques.
 void add_motion(const Run& run, Json& data);
+
+/// The Earth's rate in the laboratory's axes at a time, which change on a journey (rad/s).
+Vec3<double> earth_rate_L(const Scene& scene, double t_s);
 
 }  // namespace earthtop::report

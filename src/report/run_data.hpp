@@ -16,6 +16,7 @@
 #include "earthtop/plot/plot.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "earthtop/watch.hpp"
+#include "results/compared_words.hpp"
 #include "results/time_unit.hpp"
 #include "results/turns.hpp"
 
@@ -49,6 +50,7 @@ struct Run {
   Watch watch;  ///< may stop the work on the page
   std::string word(const std::string& pointer) const { return results.word(pointer); }
   std::optional<double> number(const std::string& pointer) const { return results.number(pointer); }
+  const ComparedWords& compared() const { return compared_words(word("/travel/reference") == "at_rest"); }
 };
 
 inline std::string title_of(const Run& run) {

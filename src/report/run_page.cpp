@@ -18,6 +18,7 @@
 #include "report/drift_section.hpp"
 #include "report/finding.hpp"
 #include "report/first_figure.hpp"
+#include "report/journey_section.hpp"
 #include "report/motion_data.hpp"
 #include "report/pages.hpp"
 #include "report/path_picture.hpp"
@@ -192,13 +193,20 @@ constexpr const char* kSphere =
  aria-label="Path of the spin axis on the unit sphere, both predictions; arrow keys turn it"></canvas>
 <p id="sphere-state" aria-live="polite"></p></figure>
 )html";
+/// The place of what makes the motions differ in the next text.
+constexpr std::string_view kCausePlace = "CAUSE";
 constexpr const char* kAnimation =
     R"html(<figure class="scene"><canvas id="top" width="860" height="520" tabindex="0" role="img"
- aria-label="The top in motion, with the Earth's rotation and without, the cone of its axis and the Earth's axis; space stops it and starts it"></canvas>
+ aria-label="The top in motion, with CAUSE and without, the cone of its axis and the Earth's axis; space stops it and starts it"></canvas>
 <div class="controls"><button type="button" id="play">Play</button>
 <input id="time" type="range" min="0" max="1000" value="0" aria-label="Time">
 <label><input id="arrows" type="checkbox"> Torques</label> <output id="clock"></output></div></figure>
 )html";
+
+std::string animation_html(const Run& run) {
+  std::string html = kAnimation;
+  return html.replace(html.find(kCausePlace), kCausePlace.size(), escaped(run.compared().cause));
+}
 
 /// The top at the last time at which its drift can be trusted.
 std::string still_html(const Run& run, Page& page) {
@@ -211,12 +219,13 @@ std::string still_html(const Run& run, Page& page) {
     return std::array{value(*last, at), value(*last, at + 1), value(*last, at + 2)};
   };
   TopStill still;
+  still.cause = run.compared().cause;
   still.axis_L = direction("axis_L_x"), still.ref_axis_L = direction("ref_axis_L_x");
   const auto is_finite = [](const std::array<double, 3>& v) {
     return std::ranges::all_of(v, [](double x) { return std::isfinite(x); });
   };
   if (!is_finite(still.axis_L) || !is_finite(still.ref_axis_L)) return "";
-  const Vec3<double>& rate_L = run.scene->model<double>().W_IL_L;
+  const Vec3<double> rate_L = earth_rate_L(*run.scene, last->t_s);
   still.earth_rate_L = {rate_L[0], rate_L[1], rate_L[2]};
   still.hangs = run.scene->top().center_of_mass_m[2] < 0;
   const auto [low, high] = std::ranges::minmax(values(run.drawn, "axis_L_z"));
@@ -281,9 +290,10 @@ Report run_page(const std::filesystem::path& directory, const Watch& watch, cons
   const bool is_told = add_first_figure(run, page);
   // Where the charts show the same times, their captions say so.
   page.section("motion", "The top in motion",
-               kAnimation + still_html(run, page) + (run.played_words == run.drawn_words ? "" : played));
+               animation_html(run) + still_html(run, page) + (run.played_words == run.drawn_words ? "" : played));
   if (!is_told) add_drift();
   if (run.has_contact) page.section("tip", "On the table", tip_drift_html(run, page));
+  add_journey(run, page);
   if (const std::string why = why_html(run); !why.empty()) page.section("why", "Why", why);
   page.fold("protocol", "Protocol");
   if (run.scene) page.section("your-top", "Your top", top_section(run));

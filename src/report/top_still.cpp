@@ -140,7 +140,7 @@ std::string drawn(const TopStill& still, double width, double height) {
   const PlotPoint at = view.at(side * length * seen), other = view.at(side * length * reference);
   const bool is_left = at.x < other.x;
   label(out, view, width, side * length * seen, is_left ? -8 : 8, -4, is_left, "its axis");
-  label(out, view, width, side * length * reference, is_left ? 8 : -8, 14, !is_left, "without the Earth's rotation");
+  label(out, view, width, side * length * reference, is_left ? 8 : -8, 14, !is_left, fmt::format("without {}", still.cause));
   return out + "</svg>\n";
 }
 

@@ -8,12 +8,14 @@
 #include <vector>
 
 #include "earthtop/plot/plot.hpp"
+#include "results/compared_words.hpp"
 
 namespace earthtop {
 
 /// The numbers of the chart; each list has one number for each time.
 struct DriftCurves {
   std::string title, matching_rule;
+  ComparedWords compared;
   std::vector<double> t_s, axis_rad, tilt_rad;
   std::vector<double> azimuth_rad;  ///< NaN where it is not known
   std::array<std::vector<double>, 3> axis_L, ref_axis_L;

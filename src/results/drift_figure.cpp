@@ -141,6 +141,7 @@ DriftCurves curves_of(const RunResult& result) {
   DriftCurves curves;
   curves.title = result.scene.scenario().title.empty() ? result.scene.scenario().name : result.scene.scenario().title;
   curves.matching_rule = matching_rule(result.scene.scenario());
+  curves.compared = compared_words(result.scene.scenario());
   curves.is_resolved = is_resolved;
   curves.a_window = is_resolved ? result.looks_a_window : 0;
   for (const DriftRow& row : is_resolved ? result.looks : result.rows) {
@@ -168,7 +169,7 @@ Figure drift_figure(const DriftCurves& shown, const DriftCurves& drawn) {
   // One part after the other: of a whole that is begun when memory ends, g++ 12 destroys parts twice.
   Figure figure;
   figure.title = shown.title;
-  figure.subtitle = "Rotating minus non-rotating Earth; " + shown.matching_rule;
+  figure.subtitle = fmt::format("{} minus {}; {}", shown.compared.former, shown.compared.latter, shown.matching_rule);
   figure.x = {"Time", time.name};
   figure.panels.push_back(angle_panel(shown, drawn, time));
   if (has_azimuths(drawn))

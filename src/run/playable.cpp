@@ -19,6 +19,7 @@ std::string unplayable(const Scene& scene) {
   if (scenario.precision != Precision::bits53) return fmt::format("a page computes in double alone; {}", kProgram);
   if (scenario.start_utc || scenario.effects.tide || scenario.effects.automatic)
     return fmt::format("{}; {}", kNoSunOrMoon, kProgram);
+  if (scenario.travel) return fmt::format("{}; {}", kNoJourney, kProgram);
   if (const double seconds = estimated_run_seconds(scene); seconds > kLongestRun_s)
     return fmt::format("this run would take {} even outside of a page; shorten it, or {}", about_seconds(seconds), kProgram);
   if (scene.rows() > kMostRows)

@@ -172,6 +172,7 @@ std::vector<ResultFiles> results_of_many_kinds() {
       {"hard/k12-tippe-top-stops.json", {}},
       {"dzhanibekov.json", {{"/motion/output_step_s", "10"}}},
       {"hard/h09-homoclinic.json", {{"/report/threshold_rad", "1e-6"}}},
+      {"ship-gyrocompass-turns.json", {{"/motion/duration_s", "20"}}},
       {"toy-top.json",
        {{"/motion/duration_s", "0.02"}, {"/motion/output_step_s", "0.01"}, {"/numerics/precision", "float128"}}}};
   std::vector<ResultFiles> kinds;

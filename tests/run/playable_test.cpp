@@ -31,6 +31,8 @@ TEST(Playable, WhatAPageLacksIsNamed) {
             "a page has no places of the Sun and the Moon; run it with the program, earthtop run");
   EXPECT_EQ(refusal_of([](Scenario& s) { s.effects.automatic = true; }),
             "a page has no places of the Sun and the Moon; run it with the program, earthtop run");
+  EXPECT_EQ(refusal_of([](Scenario& s) { s.travel = TravelSpec{.speed_m_s = 10}; }),
+            "a page shows a laboratory at rest, and this one travels; run it with the program, earthtop run");
   EXPECT_EQ(refusal_of([](Scenario& s) { s.output_step_s = s.duration_s / 2e5 / 0.999; }), "");
   EXPECT_EQ(refusal_of([](Scenario& s) { s.output_step_s = s.duration_s / 250000; }),
             "this run has 250000 rows, and a page takes 200000; lengthen /motion/output_step_s, or run it with the program, "

@@ -12,6 +12,7 @@
 #include "contact_text.hpp"
 #include "earthtop/results/results.hpp"
 #include "number_text.hpp"
+#include "results/compared_words.hpp"
 #include "summary_parts.hpp"
 #include "summary_text.hpp"
 #include "text/number_words.hpp"
@@ -39,9 +40,10 @@ std::string drift_sentences(const RunResult& result, const TextPage& page) {
   const DriftRow* last = last_reliable_row(result);
   if (last == nullptr || last->t_s == 0) return "none that can be trusted";
   const Headline headline = headline_of(result, *last);
-  std::string text = fmt::format("after {} the {} is {} away from where it would be without the Earth's rotation: {}",
-                                 time_text(last->t_s), headline.what, page.strong(pictured(std::abs(headline.drift_rad))),
-                                 page.strong(with_bound(headline.drift_rad, headline.bound_rad, "rad")));
+  std::string text =
+      fmt::format("after {} the {} is {} away from where it would be without {}: {}", time_text(last->t_s), headline.what,
+                  page.strong(pictured(std::abs(headline.drift_rad))), compared_words(result.scene.scenario()).cause,
+                  page.strong(with_bound(headline.drift_rad, headline.bound_rad, "rad")));
   const DriftSummary& drift = result.drift;
   const bool is_of_axis = headline.what == "spin axis";
   if (is_of_axis && result.verdict.trusts(drift.axis_max_at_s) && drift.axis_max_at_s < last->t_s)

@@ -14,6 +14,7 @@
 #include "earthtop/results/results.hpp"
 #include "earthtop/results/top_lines.hpp"
 #include "number_text.hpp"
+#include "results/compared_words.hpp"
 #include "screen.hpp"
 #include "summary_parts.hpp"
 #include "text/number_words.hpp"
@@ -50,7 +51,7 @@ void write_scene(TextPage& page, const Scene& scene, double reached_s) {
                                   site.longitude_deg, site.height_m, site.gravity_m_s2));
   page.entry("Earth", fmt::format("Ω = {} rad/s; in {} it turns by {} = {:.5g} rad = {}", scene.rotation_rate_rad_s(),
                                   time_text(reached_s), earth_angle(scene), turn, pictured(turn)));
-  page.entry("Compared", "the motion with Earth rotation, minus the motion without:");
+  page.entry("Compared", fmt::format("the motion with {}, minus the motion without:", compared_words(scene.scenario()).cause));
   page.entry("", matching_rule(scene.scenario()));
 }
 
@@ -158,8 +159,9 @@ void write_motion(TextPage& page, const RunResult& result) {
             degrees(swing->major_start_rad.rotating.value), degrees(swing->minor_start_rad.rotating.value),
             degrees(swing->major_end_rad.rotating.value), degrees(swing->minor_end_rad.rotating.value)));
     page.entry(
-        "", fmt::format("its plane turns by {}, without the Earth by {} (+ is clockwise seen from above)",
+        "", fmt::format("its plane turns by {}, without {} by {} (+ is clockwise seen from above)",
                         with_bound(swing->plane_rate_rad_s.rotating.value, swing->plane_rate_rad_s.rotating.bound, "rad/s"),
+                        compared_words(scenario).agent,
                         with_bound(swing->plane_rate_rad_s.reference.value, swing->plane_rate_rad_s.reference.bound, "rad/s")));
   }
 }

@@ -226,7 +226,7 @@ function startSphere(data) {
   controls.append(button);
   addMagnification(controls);
   controls.after(note);
-  note.after(legend([["ref", "prediction, without Earth rotation (ring)"], ["axis", "with Earth rotation (dot)"]]));
+  note.after(legend([["ref", `prediction, without ${data.cause} (ring)`], ["axis", `with ${data.cause} (dot)`]]));
   makeTurnable(canvas);
   kViewers.push(view);
   kScene.changes.push(layOut);

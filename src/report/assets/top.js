@@ -159,7 +159,7 @@ function readMotion(data) {
   // The pivot is low in the picture unless the top hangs below it, and in the middle where the body turns about it.
   const hangs = shape.height < 0 || !shape.rolls && samplePath(axis, axis.at, 1).some((p) => p && p[2] < -0.2);
   return {
-    axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, gimbal: readGimbal(data), spin, span, first: axis.first, last: axis.last,
+    cause: data.cause, axis, ref, tip, refTip, attitude, refAttitude, shape, rotor, masses, gimbal: readGimbal(data), spin, span, first: axis.first, last: axis.last,
     torques: readTorques(data.torques), earth: normalise(data.earth_rate_L), earthRate: data.earth_rate_L,
     precession: normalise(data.precession_axis_L), shrunk: data.path_shrunk, centred: hangs || shape.kind === "box" || shape.height === 0,
     turn, hangs: shape.height < 0, sparse: attitude.count > 0 && !dense, suits: suitableSpeed(span, shape.kind === "box" ? rate : 0),
@@ -167,7 +167,7 @@ function readMotion(data) {
 }
 
 function motionLegend(motion, withTorques) {
-  const entries = [["axis", "axis with the Earth's rotation"], ["ref", "its twin without it, and the cone it moves on"]];
+  const entries = [["axis", `axis with ${motion.cause}`], ["ref", "its twin without it, and the cone it moves on"]];
   if (motion.earth) entries.push(["earth", "direction of the Earth's axis"]);
   if (withTorques) {
     entries.push(...motion.torques.map((t) => [t.name, torqueLabel(t)]));

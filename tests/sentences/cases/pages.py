@@ -123,12 +123,38 @@ FIRST = [
     page(["The plane of the swing has turned by ", "Path of the bob, seen from above", "The plane of the swing turns",
           "Turn of the plane of swing, clockwise from above (degrees)", "with the Earth's rotation", "Pale: all swings; dark: the last one.",
           "The same scale in both directions. Rings: start. Dots: end. Pale", "The azimuth of the bob where it is farthest from the vertical.",
-          "without rotation, East (m)without rotation, North (m)"], "foucault-pendulum",
+          "prediction, East (m)prediction, North (m)"], "foucault-pendulum",
          {"/motion/duration_s": 60, "/criteria": None, "/headline": None}, unless={"/body/center_of_mass_m/2": 0.5}),
     page(["The swing about North", "The axis swings about North", "North is at 0.", "The angle between the two axes. Drawn"],
          "hard/t08-gyrocompass", {"/criteria": None}, unless={"/effects/gimbal": False}),
     page(["The top turns over", "With the Earth's rotation: 0 is upright, 180 upside down."], "tippe-top",
          {"/motion/duration_s": 1.1, "/criteria": None, "/headline": None}, unless={"/motion/duration_s": 0.5}),
+]
+
+# 600 s at 100 m/s to the North from 45 degrees: 60 km, at 111.16 km a degree.
+ABOARD = {"/site": {"latitude_deg": 45, "longitude_deg": 8}, "/headline": None, "/criteria": None,
+          "/motion": {"duration_s": 2, "output_step_s": 1}, "/travel": {"path": "rhumb", "course_deg": 0, "speed_m_s": 3000}}
+TRACK = "t_s,latitude_deg,longitude_deg,height_m\n0,45,8,0\n1,45.02,8.02,10\n2,45.05,8.03,20\n3,45.07,8.03,20\n"
+
+
+def aboard(**travel):
+    return {**ABOARD, "/travel": {**ABOARD["/travel"], **travel}}
+
+
+JOURNEY = [
+    page(["The way of the laboratory 6 km from 45.0000° N, 8.0000° E to 45.0540° N, 8.0000° E, on a constant course",
+          "Courses are angles of this map, and its bar is true from West to East, at latitude 45.0° N."], set=ABOARD,
+         unless={"/travel": None}, holds=lambda text: abs((45.0540 - 45) * 111.16 - 6) < 0.01),
+    page(", on the straightest line", set=aboard(path="geodesic"), unless={"/travel/path": "rhumb"}),
+    page(", with turns", set=aboard(legs=[{"duration_s": 1, "turn_deg": 9}]), unless={"/travel/legs/0/turn_deg": 0}),
+    page(["° E, as its table says, from 0 m to 20 m of height", " N. Drawn through the output rows."], set={**ABOARD, "/travel": {"path": "table", "file": "way.csv"}},
+         files={"way.csv": TRACK}),
+    page(", from 0 m to 20 m of height", set=aboard(legs=[{"duration_s": 2, "climb_m": 20}]), unless={"/travel/legs/0/climb_m": 0}),
+    # The reference stays: what it is called, and what makes the drift.
+    page(["In 2 s the journey turns this top's axis ", " from where it would be if the laboratory had stayed",
+          " from where the prediction for the laboratory that stays at the place of release puts it",
+          "Travelling minus resting laboratory; same attitude", "Travelling against resting laboratory; same attitude", "without the journey"],
+         set=aboard(reference="at_rest"), unless={"/travel/reference": "same_path"}),
 ]
 
 SEEN = [
@@ -384,4 +410,4 @@ WRITTEN = [
          files={**results(3, LONG), "r/summary.json": '{\n  "name": "a",\n  "checksum": "0123456789abcdef"\n}\n'}),
 ]
 
-CASES = [*DRIFT, *STILL, *FIRST, *SEEN, *TABLE, *REST, *DOCUMENTS, *COMPARED, *STUDIES, *BENCHES, *WRITTEN]
+CASES = [*DRIFT, *STILL, *FIRST, *JOURNEY, *SEEN, *TABLE, *REST, *DOCUMENTS, *COMPARED, *STUDIES, *BENCHES, *WRITTEN]

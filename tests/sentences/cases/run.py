@@ -113,6 +113,10 @@ def reliable_end(text):
     return near(size(text, "the spin axis is"), float(last["drift_axis_rad"]), 1e-4)
 
 
+def aboard(reference):
+    return {"/travel": {"path": "rhumb", "course_deg": 0, "speed_m_s": 10, "reference": reference}, "/headline": None, "/criteria": None}
+
+
 SHORT = [
     Case(BRIEF, "away from where it would be without the Earth's rotation: 1.140228028617e-03", page=ROWS, holds=reliable_end),
     Case(BRIEF, ["the outer gimbal's angle is", "; the spin axis is 0 arcsec away"], "isotomeograph", page=ROWS,
@@ -123,6 +127,10 @@ SHORT = [
          unless={"/motion/duration_s": 2}),
     Case(BRIEF, "with --long; or as a page that shows the top in motion: earthtop report out"),
     Case(BRIEF + " --long", "minus the motion without: same attitude and same rates relative to the laboratory at release"),
+    # The reference is the laboratory that stays: what makes the drift is the journey.
+    Case(BRIEF, "away from where it would be without the journey: ", set=aboard("at_rest"), unless={"/travel/reference": "same_path"}),
+    Case(BRIEF + " --long", "Compared the motion with the journey, minus the motion without:", set=aboard("at_rest"),
+         unless={"/travel/reference": "same_path"}),
     Case("run s.json --long --out out --force", "later rows are written, marked as not reliable", "hard/h11-chaotic"),
     Case(BRIEF + " --long", "as a page that shows the top in motion: earthtop report out"),
     Case(["run s.json --quiet", "run s.json --set tilt_deg=21"], "Written out/toy-top-2, as out/toy-top holds other results"),
