@@ -293,7 +293,7 @@ const Effect kEffects[] = {
      .modelled_unsized = "not sized, since it carries both predictions",
      .left_out_unsized = "left out; the pivot is at rest in the laboratory"},
     {.name = "eotvos",
-     .key = "/travel/eotvos",
+     .key = "/travel",
      .is_modelled = [](const Scene& s) { return travels(s) && s.scenario().travel->eotvos != TravelEotvos::off; },
      .listing = Listing::where_modelled,
      .modelled_unsized = "the Coriolis force on the laboratory, by which the plumb line aboard leans; for its drift run with "

@@ -90,8 +90,9 @@ inline constexpr auto kTopMembers = [] {
                            [](R r) { return r.scene.top().gimbals->earth_nutation_rad; })),
       // Of a laboratory that travels.
       object_or_nothing("travel", [](R r) { return r.scene.scenario().travel.has_value(); }),
-      of_scenario(told("travel.reference", kAtEnd, kWords, [](R r) { return to_word(r.scene.scenario().travel->reference); })),
-      of_scenario(told("travel.eotvos", kAtEnd, kWords, [](R r) { return to_word(r.scene.scenario().travel->eotvos); })),
+      of_scenario(
+          compared("travel.reference", word, any, kAtEnd, [](R r) { return to_word(r.scene.scenario().travel->reference); })),
+      of_scenario(compared("travel.eotvos", word, any, kAtEnd, [](R r) { return to_word(r.scene.scenario().travel->eotvos); })),
       of_scenario(compared("travel.length_m", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->length_m; })),
       of_scenario(compared("travel.end_latitude_deg", derived, any, kAtEnd,
                            [](R r) { return r.scene.top().journey->end_latitude_deg; })),
@@ -105,8 +106,8 @@ inline constexpr auto kTopMembers = [] {
                            [](R r) { return r.scene.top().journey->transport_over_earth; })),
       of_scenario(
           compared("travel.plumb_lean_rad", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->plumb_lean_rad; })),
-      of_scenario(
-          told("travel.acceleration_m_s2", kAtEnd, kIsBounded, [](R r) { return r.scene.top().journey->acceleration_m_s2; })),
+      of_scenario(compared("travel.acceleration_m_s2", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->acceleration_m_s2; })),
       of_scenario(compared("travel.false_north_start_rad", derived, any, kAtEnd,
                            [](R r) { return r.scene.top().journey->false_north_start_rad; })),
       of_scenario(compared("travel.false_north_end_rad", derived, any, kAtEnd,

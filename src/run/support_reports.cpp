@@ -63,9 +63,10 @@ constexpr SupportReportsIn<T> kPivotIn{
     [](const RunResult& result, const Samples<T>&, const Watch& watch) { return assess_ledger(result, watch); }};
 
 /// Both in the order of SupportKind.
-constexpr std::array kReports = {kTable, kSuspension, kMasses, kRotor, kPivot, kPivot, kPivot};
+constexpr std::array kReports = {kTable, kSuspension, kMasses, kRotor, kPivot, kPivot, kPivot, kPivot};
 template <class T>
-constexpr std::array kReportsIn = {kTableIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>};
+constexpr std::array kReportsIn = {kTableIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>,
+                                   kPivotIn<T>, kPivotIn<T>, kPivotIn<T>, kPivotIn<T>};
 static_assert(kReports.size() == kSupportCount && kReportsIn<double>.size() == kSupportCount);
 
 }  // namespace

@@ -151,7 +151,7 @@ std::optional<TheoryReport> carried_beam(const Scene& scene, const std::vector<D
 /// A body without torque, released with the same inertial rates, drifts by the Earth's turn on any journey.
 std::optional<TheoryReport> turned_body(const Scene& scene, const std::vector<DriftRow>& looks, const DriftSummary& drift) {
   const Scenario& scenario = scene.scenario();
-  const double turned = std::abs(scene.rotation_rate_rad_s()) * looks.back().t_s;
+  const double turned = std::abs(short_way(scene.rotation_rate_rad_s() * looks.back().t_s));
   if (scene.support().has_moving_parts() || scenario.platform || !scenario.effects.plain() ||
       scenario.release.rates_relative_to != RatesRelativeTo::inertial ||
       scenario.travel->reference != TravelReference::same_path || scene.model<double>().mass_moment_B != Vec3<double>::Zero() ||
@@ -159,10 +159,10 @@ std::optional<TheoryReport> turned_body(const Scene& scene, const std::vector<Dr
     return std::nullopt;
   TheoryReport report;
   report.name = "free_attitude_drift";
-  report.statement = "attitude drift of a body without torque, on any journey: Omega t";
+  report.statement = "attitude drift of a body without torque, on any journey: Omega t less whole turns";
   report.unit = "rad";
   report.predicted = turned;
-  report.predicted_error = 1e-15 * turned;
+  report.predicted_error = 1e-15 * std::abs(scene.rotation_rate_rad_s()) * looks.back().t_s;
   report.computed = drift.attitude_final_rad;
   report.computed_error = drift.attitude_bound_rad;
   return report;

@@ -49,6 +49,9 @@ bool belongs(std::string_view pattern, std::string_view key, const Json& given) 
   if (key == "relative_tolerance")
     return !given.contains("step_s") && given.value("method", "") != "closed_form" &&
            given.value("precision", "double") == "double";
+  if (pattern == "/travel")
+    return key == "radius_m" ? given.value("figure", "wgs84") == "sphere"
+                             : allowed_by(kTravelPaths, kTravelKeys, given.value("path", "rhumb"), key);
   if (given.contains("law")) return allowed_by(kContactLaws, kContactLawKeys, given.at("law"), key);
   if (given.contains("axes")) return allowed_by(kTorqueCourses, kCourseKeys, given.value("course", "constant"), key);
   if (given.contains("axial_kg_m2")) return allowed_by(kDriveRules, kDriveKeys, given.value("drive", "none"), key);

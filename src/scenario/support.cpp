@@ -52,8 +52,12 @@ constexpr std::array<Support, kSupportCount> kSupports = {{
      .no_trend = "a rotor turns in the body"},
     {.kind = SupportKind::platform,
      .pointer = "/platform",
-     .carries = [](const Scenario& s) { return s.platform || s.travel; },
-     .no_exact_motion = "is not available where a platform or a journey carries the pivot; take \"auto\", or leave both out"},
+     .carries = [](const Scenario& s) { return s.platform.has_value(); },
+     .no_exact_motion = "is not available on a platform; take \"auto\", or leave the platform out"},
+    {.kind = SupportKind::journey,
+     .pointer = "/travel",
+     .carries = [](const Scenario& s) { return s.travel.has_value(); },
+     .no_exact_motion = kNotOnJourney},
     {.kind = SupportKind::gimbal,
      .pointer = "/effects/gimbal",
      .carries = [](const Scenario& s) { return s.effects.applied.gimbal.has_value(); },
@@ -71,7 +75,7 @@ static_assert(supports_are_in_order());
 }  // namespace
 
 bool is_caged_top(const Scenario& s) {
-  if (!has_symmetric_cage(s) || s.contact || s.gimbals || s.numerics.form == ModelForm::general) return false;
+  if (!has_symmetric_cage(s) || s.contact || s.gimbals || s.travel || s.numerics.form == ModelForm::general) return false;
   const AppliedTorquesSpec& applied = s.effects.applied;
   return !applied.friction() && !applied.given_torque && !applied.gimbal && s.rotor->coulomb_torque_N_m == 0;
 }

@@ -66,8 +66,8 @@ bool check_journey(const Section& root, const Scene& scene) {
   try {
     scene.model<double>();
     return true;
-  } catch (const JourneyError& error) {
-    root.refuse_key("travel", error.what());
+  } catch (const ScenarioError& error) {
+    for (const Diagnostic& diagnostic : error.diagnostics()) root.refuse_key("travel", diagnostic.message);
     return false;
   }
 }

@@ -29,6 +29,7 @@ std::optional<std::string> need_all_torques(std::string_view word, const Scene& 
 /// torques of [F] and a pivot at rest.
 std::optional<std::string> need_plain_scene(std::string_view word, const Scene& scene, bool also_with_rotor = false) {
   const std::string what = quoted(word) + ' ';
+  if (scene.scenario().travel) return what + std::string(kNotOnJourney);
   if (const std::string_view reason = scene.support().no_exact_motion;
       !reason.empty() && !(also_with_rotor && scene.support().kind == SupportKind::rotor))
     return what + std::string(reason);
@@ -168,7 +169,7 @@ FourierOutlook fourier_outlook_of(const Scene& scene) {
 ExactKind closed_form_of(const Scene& scene) {
   const bool may_be_exact =
       scene.is_plain() || (scene.support().kind == SupportKind::rotor && scene.scenario().effects.plain());
-  return may_be_exact ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
+  return may_be_exact && !scene.scenario().travel ? exact_kind(scene.model<double>()) : ExactKind::not_plain;
 }
 
 std::optional<std::string> refuse_method(Method method, const Scene& scene) {

@@ -21,7 +21,7 @@ TideSeries<T> tide_series(const Scene& scene) {
 
 }  // namespace
 
-/// The journey, in seconds.
+/// The journey, in seconds.   @throws ScenarioError  where it cannot be made
 template <class T>
 Journey<T> journey_of(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
@@ -30,7 +30,11 @@ Journey<T> journey_of(const Scene& scene) {
   setting.earth_rate = T(scene.rotation_rate_rad_s());
   setting.gravity_anomaly = scenario.gravity_anomaly_m_s2;
   setting.duration_s = scenario.duration_s;
-  return Journey<T>(*scenario.travel, setting);
+  try {
+    return Journey<T>(*scenario.travel, setting);
+  } catch (const JourneyError& error) {
+    throw ScenarioError("/travel", error.what());
+  }
 }
 
 /// Puts the laboratory on its journey: in axes that turn with the Earth, or at rest in inertial space where the reference stays.

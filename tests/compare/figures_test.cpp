@@ -100,7 +100,7 @@ TEST(SummaryTable, HasNoMemberThatNoSummaryHas) {
   RunResult partly = full;
   partly.sensitivities->inputs[2].unavailable = "a reason";
   for (const RunResult& result : {full, other, braked, partly, contact, test::made_up_rotor_run(), test::made_up_gimbals_run(),
-                                  test::made_up_gimbals_run(11, true)}) {
+                                  test::made_up_gimbals_run(11, true), test::made_up_journey_run(11)}) {
     OrderedJson summary = parse_ordered_json(summary_json(result));
     for_each_leaf(summary, "", [&](const std::string& path, const OrderedJson&) { written.insert(find_member(path)); });
   }
@@ -340,32 +340,38 @@ std::map<std::string, std::size_t> expect_every_column_is_compared(const RunResu
   return columns;
 }
 
-constexpr std::size_t kContactColumns = 15, kRotorColumns = 16, kGimbalColumns = 14;
+constexpr std::size_t kContactColumns = 15, kRotorColumns = 16, kGimbalColumns = 14, kJourneyColumns = 5;
 
 TEST(Columns, EachIsCompared) {
   auto columns = expect_every_column_is_compared(test::made_up_full_run(), {"trajectory.csv", "torques.csv"});
-  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns - kRotorColumns - kGimbalColumns);
+  EXPECT_EQ(columns["trajectory.csv"],
+            trajectory_columns().size() - kContactColumns - kRotorColumns - kGimbalColumns - kJourneyColumns);
   EXPECT_EQ(columns["torques.csv"], 3 * (torque_quantities().size() - 5));  // there is no table, and no gimbals
 }
 
 TEST(Columns, EachOfARotorIsCompared) {
   auto columns = expect_every_column_is_compared(test::made_up_rotor_run(11), {"trajectory.csv"});
-  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns - kGimbalColumns);
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns - kGimbalColumns - kJourneyColumns);
 }
 
 TEST(Columns, EachOfGimbalsIsCompared) {
   RunResult result = test::made_up_gimbals_run(11);
   result.ledger = test::made_up_run_with_ledger(11).ledger;
   auto columns = expect_every_column_is_compared(result, {"trajectory.csv", "torques.csv"});
-  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns);
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns - kJourneyColumns);
   EXPECT_EQ(columns["torques.csv"], 3U * (6 + 2 + 2));  // six of every ledger, two parts of the Coriolis torque, two bearings
+}
+
+TEST(Columns, EachOfAJourneyIsCompared) {
+  auto columns = expect_every_column_is_compared(test::made_up_journey_run(11), {"trajectory.csv"});
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kContactColumns);
 }
 
 TEST(Columns, EachOfAContactIsCompared) {
   RunResult result = test::made_up_contact_run(11);
   result.ledger = test::made_up_run_with_ledger(11).ledger;
   auto columns = expect_every_column_is_compared(result, {"trajectory.csv", "torques.csv"});
-  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kRotorColumns - kGimbalColumns);
+  EXPECT_EQ(columns["trajectory.csv"], trajectory_columns().size() - kRotorColumns - kGimbalColumns - kJourneyColumns);
   // Six of every ledger, friction, and the table's force.
   EXPECT_EQ(columns["torques.csv"], 3U * (6 + 2));
 }

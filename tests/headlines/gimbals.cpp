@@ -34,12 +34,21 @@ Motion::Posture Motion::posture(Real t, const State& state) const {
   at.earth = turned(axis, -angle, rate_ * scene_->celestial_axis);
   // In P the Earth's rate turns backwards.
   at.carrier = at.earth + rate * axis, at.carrier_rate = acceleration * axis - cross(rate * axis, at.earth);
+  if (travels_) {
+    const Travelling way = travelling(*scene_, rate_, t, state);
+    const Mat R_LI = transposed(matrix(way.q_IL));
+    at.earth = at.carrier = R_LI * way.w_I, at.carrier_rate = R_LI * way.alpha_I;
+  }
   at.w_A = at.carrier + state.outer_rate * at.a, at.w_B = at.w_A + state.inner_rate * at.b;
   return at;
 }
 
-Vec Motion::falling_P(Real t) const {
-  const Vec falling_L = turned(scene_->celestial_axis, -rate_ * t, falling_I(t));
+Vec Motion::falling_P(Real t, const State& state) const {
+  if (travels_) {
+    const Travelling way = travelling(*scene_, rate_, t, state);
+    return transposed(matrix(way.q_IL)) * way.falling_I;
+  }
+  const Vec falling_L = turned(scene_->celestial_axis, -rate_ * t, falling_I(t, state));
   return scene_->platform ? turned(scene_->platform->axis, -platform_turn(t)[0], falling_L) : falling_L;
 }
 
@@ -47,16 +56,17 @@ void Motion::release_in_gimbals() {
   const Gimbals& gimbals = *scene_->gimbals;
   state_.outer_angle = gimbals.outer_angle, state_.inner_angle = gimbals.inner_angle;
   state_.outer_rate = gimbals.outer_rate, state_.inner_rate = gimbals.inner_rate;
-  // The rates of the non-rotating prediction; for equal rates in space each axis gives up the Earth's part along it.
+  // The rates of the prediction; for equal rates in space each axis gives up by how much faster its own laboratory turns.
   const Posture given = posture(0, state_);
+  const Vec faster = given.earth - reference_rate_L();
   if (scene_->inertial_rates) {
-    if (!gimbals.outer.locked) state_.outer_rate -= dot(given.earth, given.a);
+    if (!gimbals.outer.locked) state_.outer_rate -= dot(faster, given.a);
     if (!gimbals.inner.locked)
-      state_.inner_rate += (gimbals.outer_rate - state_.outer_rate) * dot(given.a, given.b) - dot(given.earth, given.b);
+      state_.inner_rate += (gimbals.outer_rate - state_.outer_rate) * dot(given.a, given.b) - dot(faster, given.b);
   }
   if (!scene_->rotor) return;
   const Rotor& rotor = *scene_->rotor;
-  const Vec w_B = scene_->inertial_rates ? given.w_B - given.earth : given.w_B;
+  const Vec w_B = scene_->inertial_rates ? given.w_B - faster : given.w_B;
   state_.rotor_momentum = rotor.axial * (dot(given.R_PB * rotor.axis, w_B) + rotor.spin);
 }
 
@@ -68,6 +78,10 @@ State Motion::slope_in_gimbals(Real t, const State& state) const {
   Mat body = into(at.R_PB, scene_->inertia);
   State slope{{0, {}}, {}, {}, {}};
   slope.outer_angle = state.outer_rate, slope.inner_angle = state.inner_rate;
+  if (travels_) {
+    const Travelling way = travelling(*scene_, rate_, t, state);
+    slope.latitude = way.latitude_rate, slope.longitude = way.longitude_rate, slope.course = way.course_rate;
+  }
   Vec spin, spin_rate;  // momentum of the rotor within the body, and its time derivative in body axes
   if (scene_->rotor) {
     const Rotor& rotor = *scene_->rotor;
@@ -88,7 +102,7 @@ State Motion::slope_in_gimbals(Real t, const State& state) const {
   const Vec acceleration_B = acceleration_A + state.inner_rate * cross(at.w_A, b);
   const Vec need_A = ring * acceleration_A + cross(at.w_A, ring * at.w_A);
   const Vec need_B = body * acceleration_B + cross(at.w_B, body * at.w_B + spin) + spin_rate;
-  const Vec G = falling_P(t);
+  const Vec G = falling_P(t, state);
   Vec on_A = cross(at.R_PA * gimbals.ring_mass_moment, G) - need_A;
   Vec on_B = cross(at.R_PB * scene_->mass_moment, G) - need_B;
   Real m_aa = dot(a, ring * a) + dot(a, body * a), m_ab = dot(a, body * b), m_bb = dot(b, body * b);

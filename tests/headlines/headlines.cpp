@@ -18,7 +18,8 @@ namespace {
 
 /// @param tolerance error of one step: of the quaternion, and of the angular momentum relative to its size
 Columns columns_at(const Scene& scene, Real time, Real tolerance) {
-  Motion rotating(scene, scene.rotation_rate), reference(scene, 0);
+  const bool stays = scene.travel && scene.travel->still_reference;
+  Motion rotating(scene, scene.rotation_rate, true), reference(scene, stays ? scene.rotation_rate : 0, !stays);
   // The size of the angular momentum: its initial value, or what gravity produces during a swing.
   const Real momentum = norm(rotating.state().L_I);
   const Real swing =

@@ -56,6 +56,9 @@ Real Scene::next_corner(Real t, Real last) const {
   for (const MovingMass& moving : masses)
     for (const Real corner : moving.times)
       if (corner > t && corner < next) next = corner;
+  if (travel)
+    for (const Leg& leg : travel->legs)
+      if (leg.start > t && leg.start < next) next = leg.start;
   return next;
 }
 

@@ -1,38 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion.hpp"
 
+#include "jet.hpp"
+
 namespace headlines {
 namespace {
-
-/// A number with its first and second time derivative.
-struct Jet {
-  Real value = 0, first = 0, second = 0;
-};
-Jet operator+(const Jet& a, const Jet& b) { return {a.value + b.value, a.first + b.first, a.second + b.second}; }
-Jet operator-(const Jet& a, const Jet& b) { return {a.value - b.value, a.first - b.first, a.second - b.second}; }
-Jet operator*(const Jet& a, const Jet& b) {
-  return {a.value * b.value, a.first * b.value + a.value * b.first,
-          a.second * b.value + 2 * a.first * b.first + a.value * b.second};
-}
-Jet sine(const Jet& a) {
-  const Real s = sinq(a.value), c = cosq(a.value);
-  return {s, c * a.first, c * a.second - s * a.first * a.first};
-}
-Jet cosine(const Jet& a) {
-  const Real s = sinq(a.value), c = cosq(a.value);
-  return {c, -s * a.first, -s * a.second - c * a.first * a.first};
-}
-struct JetVec {
-  Jet x, y, z;
-};
-/// Rodrigues' formula for a time-dependent angle.
-JetVec turned(const Vec& k, const Jet& angle, const JetVec& v) {
-  const Jet s = sine(angle), c = cosine(angle), one{1, 0, 0};
-  const Jet kx{k.x, 0, 0}, ky{k.y, 0, 0}, kz{k.z, 0, 0};
-  const Jet along = (one - c) * (kx * v.x + ky * v.y + kz * v.z);
-  return {c * v.x + s * (ky * v.z - kz * v.y) + along * kx, c * v.y + s * (kz * v.x - kx * v.z) + along * ky,
-          c * v.z + s * (kx * v.y - ky * v.x) + along * kz};
-}
 
 Jet platform_angle(const Platform& platform, Real t) {
   const Real w = 2 * pi() * platform.frequency, angle = w * t + platform.phase;
@@ -52,21 +24,26 @@ State sum(const State& a, Real s, const State& b) {
           a.outer_angle + s * b.outer_angle,
           a.inner_angle + s * b.inner_angle,
           a.outer_rate + s * b.outer_rate,
-          a.inner_rate + s * b.inner_rate};
+          a.inner_rate + s * b.inner_rate,
+          a.latitude + s * b.latitude,
+          a.longitude + s * b.longitude,
+          a.course + s * b.course};
 }
 
 constexpr int kColumns = 16;  // of the extrapolation: its order is 32
 
 }  // namespace
 
-Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(rotation_rate) {
+Motion::Motion(const Scene& scene, Real rotation_rate, bool travels)
+    : scene_(&scene), rate_(rotation_rate), travels_(travels && scene.travel) {
   if (scene.gimbals) {
     release_in_gimbals();
     return;
   }
   const Mat R_LB = matrix(scene.q_LB);
   Vec w_IB_B = scene.w_XB_B;
-  if (!scene.inertial_rates) w_IB_B += transposed(R_LB) * (rate_ * scene.celestial_axis);
+  const Vec own_rate = travels_ ? travelling(scene, rate_, 0, state_).w_I : rate_ * scene.celestial_axis;
+  w_IB_B += transposed(R_LB) * (scene.inertial_rates ? reference_rate_L() : own_rate);
   state_ = {scene.q_LB, R_LB * (scene.inertia_at(0) * w_IB_B + scene.momentum_within(0)), {}, {}};
   if (scene.rotor) {
     const Rotor& rotor = *scene.rotor;
@@ -81,7 +58,13 @@ Motion::Motion(const Scene& scene, Real rotation_rate) : scene_(&scene), rate_(r
   state_.V_I = tip_velocity_L + cross(W, tip) + cross(w, r_c);
 }
 
-Vec Motion::falling_I(Real t) const {
+Vec Motion::reference_rate_L() const {
+  if (!scene_->travel) return {};
+  return scene_->travel->still_reference ? scene_->rotation_rate * scene_->celestial_axis : travelling(*scene_, 0, 0, {}).w_I;
+}
+
+Vec Motion::falling_I(Real t, const State& state) const {
+  if (travels_) return travelling(*scene_, rate_, t, state).falling_I;
   const Jet earth_angle{rate_ * t, rate_, 0};
   const Vec& k = scene_->celestial_axis;
   const Vec up_I = rate_ == 0 ? Vec{0, 0, 1} : headlines::turned(k, earth_angle.value, Vec{0, 0, 1});
@@ -129,11 +112,15 @@ State Motion::slope(Real t, const State& state) const {
   if (scene_->contact) return slope_on_table(t, state);
   if (scene_->gimbals) return slope_in_gimbals(t, state);
   const Mat R_IB = matrix(state.q_IB);
-  State slope{
-      state.q_IB * Quat{0, Real(0.5) * angular_velocity(t, state)},
-      cross(R_IB * scene_->mass_moment_at(t), falling_I(t)) + acting_torque_I(t, R_IB, R_IB * angular_velocity(t, state)),
-      {},
-      {}};
+  State slope{state.q_IB * Quat{0, Real(0.5) * angular_velocity(t, state)},
+              cross(R_IB * scene_->mass_moment_at(t), falling_I(t, state)) +
+                  acting_torque_I(t, R_IB, R_IB * angular_velocity(t, state)),
+              {},
+              {}};
+  if (travels_) {
+    const Travelling way = travelling(*scene_, rate_, t, state);
+    slope.latitude = way.latitude_rate, slope.longitude = way.longitude_rate, slope.course = way.course_rate;
+  }
   if (!scene_->rotor) return slope;
   slope.rotor_angle = rotor_rate(t, state);
   slope.rotor_momentum = scene_->rotor->bearing.torque(0, slope.rotor_angle);
@@ -187,6 +174,7 @@ Quat Motion::q_LB() const {
     const Quat q = q_PB();
     return scene_->platform ? turn(scene_->platform->axis, platform_turn(t_)[0]) * q : q;
   }
+  if (travels_) return normalized(conjugate(travelling(*scene_, rate_, t_, state_).q_IL) * state_.q_IB);
   return normalized(conjugate(turn(scene_->celestial_axis, rate_ * t_)) * state_.q_IB);
 }
 
@@ -197,6 +185,8 @@ Vec Motion::w_IB_B() const {
 }
 
 Vec Motion::w_LB_B() const {
+  if (travels_ && !scene_->gimbals)
+    return w_IB_B() - transposed(matrix(state_.q_IB)) * travelling(*scene_, rate_, t_, state_).w_I;
   if (!scene_->gimbals) return w_IB_B() - rate_ * (transposed(matrix(state_.q_IB)) * scene_->celestial_axis);
   const Posture at = posture(t_, state_);
   return transposed(at.R_PB) * (at.w_B - at.earth);

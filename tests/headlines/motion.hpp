@@ -18,13 +18,24 @@ struct State {
   Real rotor_momentum = 0;  ///< inertial, about the rotor's axis (kg m^2/s)
   Real rotor_angle = 0;     ///< relative to the body (rad)
   Real outer_angle = 0, inner_angle = 0, outer_rate = 0, inner_rate = 0;  ///< of gimbals (rad, rad/s)
+  Real latitude = 0, longitude = 0, course = 0;                           ///< of a journey, less those at the start (rad)
 };
+
+/// The laboratory on its journey, in the inertial axes: from its place on the Earth, differentiated twice.
+struct Travelling {
+  Quat q_IL;
+  Vec w_I, alpha_I;  ///< inertial rate, and its time derivative
+  Vec falling_I;     ///< apparent gravity minus the acceleration over what an Earth-bound pivot has (m/s^2)
+  Real latitude_rate, longitude_rate, course_rate;
+};
+/// @param rate  the Earth's
+Travelling travelling(const Scene& scene, Real rate, Real t, const State& state);
 
 /// One of the two predictions: for the Earth as it turns, or for one at rest.
 class Motion {
  public:
-  /// @param rotation_rate the Earth's (rad/s); 0 for the non-rotating prediction
-  Motion(const Scene& scene, Real rotation_rate);
+  /// @param rotation_rate the Earth's (rad/s); 0 for the non-rotating prediction   @param travels  whether it makes the scene's journey
+  Motion(const Scene& scene, Real rotation_rate, bool travels);
 
   const State& state() const { return state_; }
   bool on_table() const { return scene_->contact.has_value(); }
@@ -65,15 +76,19 @@ class Motion {
     Vec w_A, w_B;      ///< inertial rates of both gimbals
   };
   Posture posture(Real t, const State& state) const;
-  Vec falling_P(Real t) const;  ///< falling_I in P axes (m/s^2)
+  Vec falling_P(Real t, const State& state) const;  ///< falling_I in P axes (m/s^2)
   void release_in_gimbals();
   std::array<Real, 3> platform_turn(Real t) const;  ///< angle of the platform, its rate and acceleration; 0 without one
   Quat q_PB() const;                                ///< of the body in gimbals
   /// Apparent gravity minus the pivot's acceleration on its platform, in inertial axes (m/s^2).
-  Vec falling_I(Real t) const;
+  Vec falling_I(Real t, const State& state) const;
+  /// Inertial rate of the reference's laboratory at release, in laboratory axes: rates are given relative to that.
+  Vec reference_rate_L() const;
+  bool travels() const { return travels_; }
 
   const Scene* scene_;
   Real rate_;
+  bool travels_;
   Real t_ = 0;
   State state_;
 };

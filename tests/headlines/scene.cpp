@@ -263,6 +263,43 @@ void read_effects(const Json& json, const std::string& file, Scene& scene) {
   }
 }
 
+void read_travel(const Json& json, const std::string& file, const Json& site, Scene& scene) {
+  Travel travel;
+  const auto speed_of = [](const Json& moving, Real otherwise) {
+    if (moving.contains("speed_kn")) return Real(static_cast<double>(Real(moving.at("speed_kn").get<double>()) * 1852 / 3600));
+    return moving.contains("speed_m_s") ? Real(moving.at("speed_m_s").get<double>()) : otherwise;
+  };
+  const std::string path = json.at("path");
+  if (path == "table" || scene.platform || scene.contact || norm(scene.acting.friction) > 0 ||
+      json.value("eotvos", "rotating") != "rotating")
+    throw std::runtime_error(file + ": this journey is beyond this program");
+  travel.geodesic = path == "geodesic";
+  travel.latitude = sin_cos_degrees(site.at("latitude_deg").get<double>());
+  travel.course = sin_cos_degrees(json.at("course_deg").get<double>());
+  travel.height = site.value("height_m", 0.0);
+  travel.still_reference = json.value("reference", "same_path") == "at_rest";
+  if (json.value("figure", "wgs84") == "sphere") {
+    travel.radius = json.value("radius_m", 6371008.7714);
+  } else {
+    const Real flattening = Real(1'000'000'000) / Real(298'257'223'563LL);
+    travel.e2 = flattening * (2 - flattening);
+  }
+  Leg leg;
+  leg.speed_before = leg.speed_after = speed_of(json, 0);
+  for (const Json& given : json.value("legs", Json::array())) {
+    leg.duration = given.at("duration_s").get<double>();
+    leg.speed_before = leg.speed_after, leg.speed_after = speed_of(given, leg.speed_before);
+    leg.turned_before += leg.turn, leg.turn = Real(given.value("turn_deg", 0.0)) * pi() / 180;
+    leg.climbed_before += leg.climb, leg.climb = given.value("climb_m", 0.0);
+    travel.legs.push_back(leg);
+    leg.start += leg.duration;
+  }
+  leg.duration = 0, leg.speed_before = leg.speed_after;
+  leg.turned_before += leg.turn, leg.turn = 0, leg.climbed_before += leg.climb, leg.climb = 0;
+  travel.legs.push_back(leg);
+  scene.travel = travel;
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& file) {
@@ -282,6 +319,7 @@ Scene read_scene(const std::string& file) {
   if (!scene.gimbals) scene.inverse_inertia = inverse(scene.inertia);
   read_release(json.at("release"), scene);
   if (json.contains("platform")) read_platform(json.at("platform"), scene);
+  if (json.contains("travel")) read_travel(json.at("travel"), file, json.at("site"), scene);
   scene.duration = json.at("motion").at("duration_s").get<double>();
   scene.headline_time = json.value("headline", Json::object()).value("at_s", scene.duration);
   return scene;

@@ -90,6 +90,24 @@ struct Acting {
   Real drag = 0, drag_by_speed = 0;  ///< force over the velocity (N s/m), and over its square (N s^2/m^2)
 };
 
+/// A part of a journey; what changes in it does so by x^3 (10 - 15 x + 6 x^2).
+struct Leg {
+  Real start = 0, duration = 0;            ///< s; a duration of 0 for what follows the last one
+  Real speed_before = 0, speed_after = 0;  ///< m/s
+  Real turned_before = 0, turn = 0;        ///< rad
+  Real climbed_before = 0, climb = 0;      ///< m
+};
+
+/// A journey of the laboratory.
+struct Travel {
+  bool geodesic = false;          ///< else a rhumb line
+  Real radius = 6378137, e2 = 0;  ///< of the ellipsoid, or of a sphere (m)
+  SinCos latitude, course;        ///< at the start
+  Real height = 0;                ///< m
+  std::vector<Leg> legs;          ///< the last one has no end
+  bool still_reference = false;   ///< whether the prediction is the laboratory that stays
+};
+
 struct Scene {
   std::string name;
   // Laboratory: East, North, Up, which are the inertial axes too at t = 0.
@@ -112,6 +130,7 @@ struct Scene {
   std::optional<Gimbals> gimbals;
   std::vector<MovingMass> masses;
   Acting acting;
+  std::optional<Travel> travel;
   double duration = 0;
   double headline_time = 0;  ///< time of the headline's row; the duration if none is named (s)
 
@@ -120,7 +139,7 @@ struct Scene {
   Vec mass_moment_at(Real t) const;
   /// Momentum of the masses in the body, relative to it, in its axes.
   Vec momentum_within(Real t) const;
-  /// The next time after t, or the last one at all, at which the path of a mass has a corner.
+  /// The next time after t, or the last one at all, at which the path of a mass or the journey has a corner.
   Real next_corner(Real t, Real last) const;
 };
 

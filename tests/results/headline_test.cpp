@@ -103,7 +103,10 @@ TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
     RunResult on_table = test::made_up_contact_run();
     on_table.contact->events.resize(4, on_table.contact->events.back());
     const auto names = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
-    RunResult made = names("rotor") ? test::made_up_rotor_run()
+    const bool of_journey = names("latitude") || names("longitude") || names("height") || names("course") ||
+                            names("speed_m_s") || word.starts_with("travel.");
+    RunResult made = of_journey       ? test::made_up_journey_run()
+                     : names("rotor") ? test::made_up_rotor_run()
                      : names("outer_angle") || names("outer_rate") || names("inner_angle") || names("inner_rate")
                          ? test::made_up_gimbals_run()
                          : std::move(on_table);

@@ -180,6 +180,19 @@ inline RunResult made_up_gimbals_run(std::size_t rows = 201, bool hangs = false)
   return result;
 }
 
+/// A run of the same body in gimbals aboard a ship.
+inline RunResult made_up_journey_run(std::size_t rows = 201) {
+  RunResult result = made_up_gimbals_run(rows, true);
+  result.scene = testing::changed(result.scene, [](Scenario& s) {
+    TravelSpec& travel = s.travel.emplace();
+    travel.course_deg = 30, travel.speed_m_s = 10;
+  });
+  result.modelled = result.scene;
+  for (DriftRow& row : result.rows)
+    row.journey = {50 + 1e-6 * row.t_s, 10 + 2e-6 * row.t_s, 3 + 1e-3 * row.t_s, 30 + 1e-4 * row.t_s, 10 + 1e-3 * row.t_s};
+  return result;
+}
+
 /// The same with everything that a result may have, and no number of its summary null.
 inline RunResult made_up_full_run() {
   RunResult result = made_up_run_with_ledger(11);

@@ -94,12 +94,12 @@ TEST(RunLedger, ShippedScenesCloseToRoundOff) {
 TEST(RunLedger, ChangedScenesCloseToRoundOff) {
   for (Scenario scene : shipped_scenes()) {
     scene.rotation_rate_rad_s = 1;
-    scene.site.latitude_deg = -90;
+    scene.site.latitude_deg = scene.travel ? -70 : -90;  // no journey leads to a pole
     expect_closed(scene);
     scene.site.latitude_deg = -35;
     scene.platform = swinging_platform();
     expect_closed(scene);
-    if (scene.gimbals) continue;  // which need all torques
+    if (scene.gimbals || scene.travel) continue;  // which need all torques
     scene.effects.coriolis = false;
     expect_closed(scene);
     scene.effects.coriolis = true, scene.effects.centrifugal = scene.effects.transverse = false;

@@ -172,7 +172,7 @@ const std::map<std::string, Setting>& settings() {
         {{"/travel", R"({"path": "rhumb", "course_deg": 30, "speed_m_s": 10, "legs": [{"duration_s": 9, "speed_kn": 10}]})"}}}},
       {"/travel/file", {{{"/site", "{}"}, {"/travel", kSailsAsMeasured}}, "\"other_voyage.csv\""}},
       {"/travel/file_sha256", {{{"/site", "{}"}, {"/travel", kSailsAsMeasured}}, "SHA256 OF ONE", {}, true}},
-      {"/travel/radius_m", {{{"/travel", kSailsASphere}}}},
+      {"/travel/radius_m", {{{"/travel", kSailsASphere}}, "6.4e6"}},
       {"/platform", {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}}}},
       {"/platform/motion",
        {{{"/platform", R"({"motion": "constant", "rate_rad_s": 1})"}},

@@ -33,6 +33,7 @@ void ask_for_rotor(Scenario& s) {
   rotor.mass_kg = 0.01, rotor.axial_kg_m2 = 1e-6, rotor.transverse_kg_m2 = 1e-6, rotor.axis = {0, 1, 1};
 }
 void ask_for_platform(Scenario& s) { s.platform.emplace().rate_rad_s = 0.1; }
+void ask_for_journey(Scenario& s) { s.travel.emplace().speed_m_s = 10; }
 void ask_for_gimbal(Scenario& s) { s.effects.applied.gimbal.emplace(), s.release.tilt_deg = 90; }
 
 struct Asked {
@@ -40,13 +41,11 @@ struct Asked {
   std::string_view pointer;
   void (*ask)(Scenario&);
 };
-constexpr Asked kAsked[] = {{SupportKind::table, "/contact", ask_for_table},
-                            {SupportKind::suspension, "/gimbals", ask_for_gimbals},
-                            {SupportKind::masses, "/moving_masses", ask_for_masses},
-                            {SupportKind::rotor, "/rotor", ask_for_rotor},
-                            {SupportKind::platform, "/platform", ask_for_platform},
-                            {SupportKind::gimbal, "/effects/gimbal", ask_for_gimbal},
-                            {SupportKind::pivot, "", [](Scenario&) {}}};
+constexpr Asked kAsked[] = {
+    {SupportKind::table, "/contact", ask_for_table},          {SupportKind::suspension, "/gimbals", ask_for_gimbals},
+    {SupportKind::masses, "/moving_masses", ask_for_masses},  {SupportKind::rotor, "/rotor", ask_for_rotor},
+    {SupportKind::platform, "/platform", ask_for_platform},   {SupportKind::journey, "/travel", ask_for_journey},
+    {SupportKind::gimbal, "/effects/gimbal", ask_for_gimbal}, {SupportKind::pivot, "", [](Scenario&) {}}};
 static_assert(std::size(kAsked) == kSupportCount);
 
 TEST(Support, IsTheFirstThatAScenarioAsksFor) {
@@ -86,6 +85,9 @@ TEST(Support, OnlyAFixedPivotHasExactMotions) {
       case SupportKind::platform:
         EXPECT_EQ(said, "\"long_horizon\" is not available on a platform; take \"auto\", or leave the platform out");
         break;
+      case SupportKind::journey:
+        EXPECT_EQ(said, "\"long_horizon\" is not available on a journey; take \"auto\", or leave the journey out");
+        break;
       case SupportKind::gimbal:
         EXPECT_EQ(
             said,
@@ -109,6 +111,8 @@ TEST(Support, ItsChecksAreItsOwn) {
       "is not available with /moving_masses: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available with /rotor: dry friction at the pivot of a gyrostat is not modelled; leave one of the two out",
       "is not available on a platform; leave one of the two out",
+      "is not available with /travel: dry friction that brings a motion to rest is not modelled aboard; take "
+      "viscous_torque_N_m_s; leave one of the two out",
       "is not available with a gimbal; give the gimbal a damping instead",
       ""};
   for (const Asked& asked : kAsked) {

@@ -74,6 +74,19 @@ inline std::vector<EffectCase> driving_cases() {
               [](Applied& a) {
                 a.gravity_gradient = GravityGradientSpec{GradientField::given, 50};
               }),
+      {"eotvos", "plumb line aboard", [](Scenario& s) { s.travel = TravelSpec{.course_deg = 60, .speed_m_s = 20}; },
+       [](Scenario& s) { s.travel->eotvos = TravelEotvos::off; }},
+      {"ballistic", "change of speed, course and height",
+       [](Scenario& s) {
+         s.travel = TravelSpec{.course_deg = 60, .speed_m_s = 5, .legs = {{1, 4.0, 40, 0.1}}};
+       },
+       [](Scenario& s) { s.travel.reset(); }},
+      {"transport", "way over the Earth",
+       [](Scenario& s) {
+         s.travel = TravelSpec{.path = TravelPath::geodesic, .course_deg = -60, .speed_m_s = 5e4};
+         s.travel->eotvos = TravelEotvos::both;
+       },
+       [](Scenario& s) { s.travel.reset(); }},
       {"tide", "tide",
        [](Scenario& s) {
          TideSpec& tide = s.effects.tide.emplace();

@@ -12,9 +12,12 @@
 namespace earthtop {
 
 /// In the order of the table: a top is carried by the first support that its scenario asks for.
-enum class SupportKind : std::uint8_t { table, suspension, masses, rotor, platform, gimbal, pivot };
+enum class SupportKind : std::uint8_t { table, suspension, masses, rotor, platform, journey, gimbal, pivot };
 
-inline constexpr std::size_t kSupportCount = 7;
+inline constexpr std::size_t kSupportCount = 8;
+
+/// Ends what is said of a closed form or an exact flow where the laboratory travels, on any support.
+inline constexpr std::string_view kNotOnJourney = "is not available on a journey; take \"auto\", or leave the journey out";
 
 /// A support, by what the rest of the program asks of it. Where something is not available on it, a text says so and what to do
 /// instead; the text is empty where it is available.
