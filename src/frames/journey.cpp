@@ -52,16 +52,25 @@ struct SeriesTurn {
   }
 };
 
-/// The number of terms that are left of a polynomial on [0, length] once those are dropped that are below rounding.
+/// What a unit of each component counts beside the others of its part: a place is two angles and a height, a course an angle, a speed and
+/// a length. Without it the terms of an angle would be dropped that are below the rounding of a height in metres.
+constexpr std::array<double, 3> weights_of(std::size_t part) {
+  constexpr double kMetre = 1 / kEquatorialRadiusWgs84, kSpeed = 1e-3;
+  if (part == static_cast<std::size_t>(JourneyPart::place)) return {1, 1, kMetre};
+  if (part == static_cast<std::size_t>(JourneyPart::course)) return {1, kSpeed, kMetre};
+  return {1, 1, 1};
+}
+
+/// The number of terms that are left of a part's polynomial on [0, length] once those are dropped that are below rounding.
 template <class T>
-int terms_that_count(const SeriesVector<T>& v, int terms, const T& length, T& largest) {
-  T power = T(1);
+int terms_that_count(const SeriesVector<T>& v, std::size_t part, int terms, const T& length) {
+  const std::array<double, 3> weights = weights_of(part);
+  T power = T(1), largest = T(0);
   std::array<T, PowerSeries<T>::kMost> size{};
-  largest = T(0);
   for (int k = 0; k < terms; ++k, power *= length) {
-    for (const PowerSeries<T>& s : v)
-      size[static_cast<std::size_t>(k)] = std::max(size[static_cast<std::size_t>(k)], T(power * real::abs(s[k])));
-    largest = std::max(largest, size[static_cast<std::size_t>(k)]);
+    T& most = size[static_cast<std::size_t>(k)];
+    for (std::size_t i = 0; i < 3; ++i) most = std::max(most, T(T(weights[i]) * power * real::abs(v[i][k])));
+    largest = std::max(largest, most);
   }
   while (terms > 0 && !(size[static_cast<std::size_t>(terms - 1)] > real::epsilon<T>() / T(8) * largest)) --terms;
   return terms;
@@ -133,16 +142,15 @@ class JourneyMaker {
 
   /// Whether the last two terms of each part are below the rounding of the largest.
   static bool ends_in_time(const Parts& parts, const T& length) {
-    T largest;
-    return std::ranges::all_of(
-        parts, [&](const SeriesVector<T>& part) { return terms_that_count(part, kTerms, length, largest) <= kTerms - 2; });
+    for (std::size_t i = 0; i < kJourneyParts; ++i)
+      if (terms_that_count(parts[i], i, kTerms, length) > kTerms - 2) return false;
+    return true;
   }
   static Piece piece_of(const Parts& parts, const T& start, const T& length) {
     Piece piece;
     piece.start = start;
     for (std::size_t i = 0; i < kJourneyParts; ++i) {
-      T largest;
-      const int terms = terms_that_count(parts[i], kTerms, length, largest);
+      const int terms = terms_that_count(parts[i], i, kTerms, length);
       for (int k = 0; k < terms; ++k) piece.parts[i].push_back(Vec3<T>(parts[i][0][k], parts[i][1][k], parts[i][2][k]));
     }
     return piece;

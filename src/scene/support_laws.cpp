@@ -71,7 +71,7 @@ constinit const PivotLaws kPivotLaws;
 
 /// Both in the order of SupportKind.
 constexpr auto kLaws = std::to_array<const PivotLaws*>(
-    {&kTableLaws, &kSuspensionLaws, &kMassLaws, &kRotorLaws, &kPlatformLaws, &kPlatformLaws, &kGimbalLaws, &kPivotLaws});
+    {&kTableLaws, &kSuspensionLaws, &kMassLaws, &kRotorLaws, &kPlatformLaws, &kPivotLaws, &kGimbalLaws, &kPivotLaws});
 template <class T>
 constexpr std::array kLawsIn = {kTable<T>, kSuspension<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>, kPivot<T>};
 static_assert(kLaws.size() == kSupportCount && kLawsIn<double>.size() == kSupportCount);

@@ -9,6 +9,7 @@
 #include "earthtop/model/body.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "scenario/rules.hpp"
+#include "support/travel_scenes.hpp"
 
 namespace earthtop::testing {
 namespace {
@@ -185,6 +186,13 @@ Scenario on_platform(Random& random) {
                             random.log_uniform(0.05, 2),
                             random.uniform(-180, 180),
                             {random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3)}};
+  return s;
+}
+Scenario journey(Random& random) {
+  Scenario s = random.coin() ? any_spin(random) : asymmetric_fast(random);
+  if (!s.release.angular_velocity_body_rad_s) s.release.spin_rad_s = random.sign() * random.log_uniform(10, 1e3);
+  s.duration_s = 20 / Scene(s).fastest_rate_rad_s();  // so that its legs end in most of the runs
+  send_on_journey(s, random, s.duration_s);
   return s;
 }
 Scenario torque_left_out(Random& random) {
@@ -378,6 +386,7 @@ constexpr Stratum kStrata[] = {
     {"unequal support", unequal_support, true},
     {"given torque", given_torque, true},
     {"friction of body axes apart", friction_by_axes, true},
+    {"on a journey", journey},
 };
 
 /// A random one of the methods that a user may name for this scene.

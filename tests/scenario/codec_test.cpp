@@ -255,6 +255,8 @@ const std::map<std::string, Setting>& settings() {
       {"/effects/gimbal/damping_N_m_s", {{{"/release/tilt_deg", "90"}, {"/effects/gimbal", "{}"}}, "1e-6"}},
       {"/numerics/step_s", {{{"/numerics/method", "gauss"}}, "1e-3"}},
       {"/numerics/composition", {{{"/numerics/method", "splitting"}}}},
+      {"/uncertainty/travel_speed_m_s", {{{"/travel", kSails}}}},
+      {"/uncertainty/travel_course_deg", {{{"/travel", kSails}}}},
       {"/uncertainty/viscous_torque_N_m_s", {{{"/effects/viscous_torque_N_m_s", "1e-6"}}}},
       {"/uncertainty/viscous_torque_1_N_m_s", {{{"/effects/viscous_torque_N_m_s", "[1e-6, 2e-6, 3e-6]"}}}},
       {"/uncertainty/viscous_torque_2_N_m_s", {{{"/effects/viscous_torque_N_m_s", "[1e-6, 2e-6, 3e-6]"}}}},

@@ -228,6 +228,9 @@ BEYOND_THE_SCHEMA = [
     ({"numerics": {"method": "closed_form"}}, "away from the poles"),
     ({"numerics": {"method": "closed_form"}, "body": {**BODY, "center_of_mass_m": [0, 0.01, 0.02]}}, "only a symmetric top"),
     ({"numerics": {"method": "closed_form"}, "effects": {"coriolis": False}}, "not available without"),
+    ({"numerics": {"method": "closed_form"}, "rotor": {
+        "mass_kg": 0.05, "axial_kg_m2": 1.6e-05, "transverse_kg_m2": 8.5e-06, "spin_rad_s": 300, "axis": [0, 0.1, 1],
+        "center_m": [0, 0, 0.03]}}, "a body with a rotor has no closed form"),
     ({"numerics": {"method": "closed_form"}, "platform": {"motion": "ramp", "acceleration_rad_s2": 1}}, "not available on a platform"),
     ({"numerics": {"method": "splitting", "observer": "body"}}, "no body axes"),
     ({"numerics": {"method": "splitting", "model": "general"}}, "no general model"),

@@ -429,7 +429,7 @@ bool has_drift_differences(const DriftProblem<double>& problem) {
   const bool rests = model.platform.turn.never_turns() && norm(model.platform.pivot_offset_P) == 0;
   // The response to the Coriolis torque is taken from that to the Earth's rate, for which all the torques must act: they do in
   // the reduced form.
-  return norm(model.W_IL_L) > 0 && rests && is_reducible_when_driven(model) &&
+  return norm(model.W_IL_L) > 0 && rests && model.journey.empty() && is_reducible_when_driven(model) &&
          symmetry_axis(model.I_BP_B, model.mass_moment_B) == 2;
 }
 
