@@ -44,6 +44,13 @@ std::optional<Scenario> without_earth(const Scene& scene) {
   return scenario;
 }
 
+std::optional<Scenario> without_journey(const Scene& scene) {
+  if (!scene.scenario().travel) return std::nullopt;
+  Scenario scenario = resolved_scenario(scene);
+  scenario.travel.reset();
+  return scenario;
+}
+
 std::optional<Scenario> wrong_way(const Scene& scene) {
   const EarthRate rate = earth_rate(scene);
   return with_earth_rate(scene, {-rate.north, -rate.up});
@@ -107,6 +114,7 @@ std::optional<Scenario> moments_about_pivot(const Scene& scene) { return moments
 
 constexpr Mistake kMistakes[] = {
     {"without the Earth's rotation", without_earth},
+    {"in a laboratory that stays at the place of the release", without_journey},
     {"of an Earth that turns the other way (the Coriolis torque has the wrong sign)", wrong_way},
     {"without the Coriolis torque", without_coriolis},
     {"in which the rates at the release, which are relative to the laboratory, were taken as inertial",

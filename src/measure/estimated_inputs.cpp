@@ -15,7 +15,9 @@
 #include "earthtop/scenario/reference.hpp"
 #include "input/pointers.hpp"
 #include "input/suggest.hpp"
+#include "measure/spoken_input.hpp"
 #include "scenario/fields.hpp"
+#include "scenario/replaced_units.hpp"
 #include "scene/examine.hpp"
 #include "scene/moved_input.hpp"
 
@@ -94,8 +96,11 @@ void EstimatedInputs::refuse_conflicts() const {
   const auto has = [&](std::string_view pointer) {
     return std::any_of(list_.begin(), list_.end(), [&](const EstimatedInput& input) { return input.pointer == pointer; });
   };
-  if (has("/release/spin_rpm") && has("/release/spin_rad_s"))
-    refuse_estimate("/release/spin_rpm", "is the spin in another unit; estimate either it or spin_rad_s");
+  for (const TwoUnits& number : kInTwoUnits)
+    if (has(number.si) && has(number.other))
+      refuse_estimate(std::string(number.other),
+                      fmt::format("is {} in another unit; estimate either it or {}", spoken_input(number.si),
+                                  number.si.substr(number.si.rfind('/') + 1)));
   if (!has("/earth/rotation_rate_rad_s") && !has("/site/latitude_deg")) return;
   for (const EstimatedInput& input : list_)
     if (input.combined == CombinedInput::vertical_rate || input.combined == CombinedInput::northward_rate)

@@ -12,6 +12,7 @@ std::vector<InputPlace> places_of(const InputRow& input) {
     places.push_back({"/release/spin_rpm", 30 / std::numbers::pi});
     places.push_back({"/release/angular_velocity_body_rad_s/2", 1});
   }
+  if (input.of == "/travel/speed_m_s") places.push_back({"/travel/speed_kn", 3600.0 / 1852});
   return places;
 }
 

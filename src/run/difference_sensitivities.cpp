@@ -27,7 +27,7 @@ constexpr double kGood = 1e-6;       // error of a derivative, as a share, for w
 constexpr double kUnsettled = 0.1;   // difference of two extrapolations, as a share, above which there is no derivative
 constexpr double kNoiseSafety = 4;   // times the largest second difference seen, for the noise of a drift
 constexpr double kProbe = 0.004;     // rad: so small a change of the fastest phase that a drift's curvature does not show
-constexpr std::size_t kProbed[] = {0, 1, 2};  // latitude, gravity and spin, which every scene has
+constexpr std::size_t kProbed[] = {0, 1, 2};  // latitude, gravity and spin; a body in gimbals has none
 constexpr double kDriftRounding = 1e-13;      // of a drift, as a share: what a bound leaves out
 
 /// A derivative and a bound on its error.
@@ -55,6 +55,7 @@ class Differences {
     Quantities seen;
     for (int q = 0; q < kQuantities; ++q) seen[at(q)] = kDriftRounding * std::abs((*drift)[at(q)]);
     for (const std::size_t input : kProbed) {
+      if (!has_input(base_.scenario(), input)) continue;
       const auto pair = moved_drifts(input, scale_of_input(base_, input) * kProbe / phases_.fast, watch.part(0.1, 1));
       if (!pair) return false;
       for (int q = 0; q < kQuantities; ++q)

@@ -118,7 +118,7 @@ std::optional<TheoryReport> wander(const Scene& scene, const std::vector<DriftRo
   report.unit = "rad";
   report.predicted = turned.up;
   constexpr double kNutation = 2e-6;
-  report.predicted_error = std::tan(std::min(elevation, 1.0)) * turned.level + kNutation;
+  report.predicted_error = real::tan(std::min(elevation, 1.0)) * turned.level + kNutation;
   report.applies = report.predicted_error < 0.1 * std::abs(report.predicted);
   report.computed = azimuth;
   report.computed_error = looks.back().drift_axis_bound_rad + 1e-12;

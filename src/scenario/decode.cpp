@@ -13,7 +13,7 @@
 #include "scenario/fields.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/reading.hpp"
-#include "scenario/replaced_spin.hpp"
+#include "scenario/replaced_units.hpp"
 
 namespace earthtop::scenario {
 namespace {
@@ -140,13 +140,15 @@ bool decode(const Section& root, const ScenarioSource& source, Scenario& scenari
          (scenario.gimbals || !root.has("gimbals")) && (scenario.travel || !root.has("travel"));
 }
 
-/// Removes the spin that a change in another unit replaces.
+/// Removes the numbers that a change in another unit replaces.
 template <class Changes, class PointerOf>
-void replace_spin(input::Node& root, const Changes& changes, const PointerOf& pointer_of) {
-  input::Node* release = root.kind == input::JsonKind::object ? root.find("release") : nullptr;
-  if (!release || release->kind != input::JsonKind::object) return;
-  const std::string_view replaced = replaced_spin(changes, pointer_of);
-  std::erase_if(release->children, [&](const input::Node& child) { return "/release/" + child.key == replaced; });
+void replace_units(input::Node& root, const Changes& changes, const PointerOf& pointer_of) {
+  for (const std::string_view pointer : replaced_units(changes, pointer_of)) {
+    const std::size_t slash = pointer.rfind('/');
+    input::Node* section = root.kind == input::JsonKind::object ? root.find(pointer.substr(1, slash - 1)) : nullptr;
+    if (section && section->kind == input::JsonKind::object)
+      std::erase_if(section->children, [&](const input::Node& child) { return child.key == pointer.substr(slash + 1); });
+  }
 }
 
 }  // namespace
@@ -157,7 +159,7 @@ Document::Document(ScenarioSource source, const std::vector<std::pair<std::strin
   // After a syntax error nothing is decoded, because the rest would be guesswork.
   is_whole_ = outcome != input::ReadOutcome::not_json && outcome != input::ReadOutcome::refused;
   if (!is_whole_ || root_.kind != input::JsonKind::object) return;
-  replace_spin(root_, overrides, [](const auto& change) -> const std::string& { return change.first; });
+  replace_units(root_, overrides, [](const auto& change) -> const std::string& { return change.first; });
   apply_overrides(root_, overrides, findings_);
 }
 
@@ -171,7 +173,7 @@ Decoded Document::decode(const std::vector<input::TreeChange>& changes) const {
   Decoded decoded{text(), root_, findings_, {}, is_whole_, false};
   if (!is_whole_) return decoded;
   if (root_.kind == input::JsonKind::object) {
-    replace_spin(decoded.root, changes, [](const input::TreeChange& change) -> const std::string& { return change.pointer; });
+    replace_units(decoded.root, changes, [](const input::TreeChange& change) -> const std::string& { return change.pointer; });
     input::apply_changes(decoded.root, changes, decoded.findings);
   }
   check_structure(decoded.root, decoded.findings, fields());

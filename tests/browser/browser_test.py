@@ -26,7 +26,7 @@ import layout
 from browser_process import Failure
 from shipped_pages import SCENARIOS, Program, Report
 
-RUNS = ["toy-top", "foucault-pendulum", "sleeping-top-below-critical", "turntable"]
+RUNS = ["toy-top", "foucault-pendulum", "sleeping-top-below-critical", "turntable", "ship-gyrocompass-turns"]
 SKIPPED = 77  # SKIP_RETURN_CODE of ctest
 PAGE_LIMIT = 450_000  # bytes without the data; each chart is drawn twice
 FRAMES_PER_SECOND = 30

@@ -67,9 +67,10 @@ def title_faults(title: str, summary: dict[str, Any]) -> Iterator[str]:
         if not re.search(r"^In \S+ \S+ nothing turns this \w+'s axis off course(; what comes later is not known)?$", title):
             yield f"nothing drifts, and the title is {title!r}"
         return
-    found = re.search(r"^In (?:(?P<words>an? \w+)|(?P<count>\S+) (?P<unit>\w+)) the Earth turns this \w+'s "
+    agent = "the journey" if (summary.get("travel") or {}).get("reference") == "at_rest" else "the Earth"
+    found = re.search(r"^In (?:(?P<words>an? \w+)|(?P<count>\S+) (?P<unit>\w+)) " + agent + r" turns this \w+'s "
                       r"(?:axis (?P<a>\S+) (?P<a_unit>\w+) off course|plane of swing by (?P<p>\S+) (?P<p_unit>\w+))(?P<rest>.*)$"
-                      r"|^In (?P<t>\S+) s the Earth turns this \w+ (?P<n>\S+) (?P<n_unit>\w+) about its axis$", title)
+                      r"|^In (?P<t>\S+) s " + agent + r" turns this \w+ (?P<n>\S+) (?P<n_unit>\w+) about its axis$", title)
     if not found:
         yield f"the title does not say what drifts by how much: {title!r}"
         return

@@ -19,7 +19,7 @@ from shipped_pages import SCENARIOS, Program, Report, shipped_pages
 WIDTHS = (390, 820, 1280)  # px: a phone, a tablet, a desk
 PRINTED_DPI = 60
 MORE_RUNS = ("free-gyro", "hard/t08-gyrocompass", "sleeping-top-above-critical", "nesc-tumbling-brick", "rolling-ball",
-             "southern-hemisphere")
+             "southern-hemisphere", "ship-gyrocompass-turns")
 
 
 def more_runs(program: Program) -> list[Report]:

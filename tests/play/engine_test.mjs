@@ -112,6 +112,7 @@ function refusals(program, engine) {
     "a year": [changed((s) => { s.motion = { duration_s: 3e7, output_step_s: 1e6 }; s.numerics = { method: "dopri5", relative_tolerance: 1e-12 }; }), "shorter duration"],
     "a date": [changed((s) => { s.motion.start_utc = "2026-11-22T12:00:00Z"; }), "no places of the Sun and the Moon"],
     "chosen effects": [changed((s) => { s.effects = "auto"; s.accuracy = { drift_rad: 1e-7 }; }), "no places of the Sun and the Moon"],
+    "a journey": [changed((s) => { s.travel = { path: "rhumb", course_deg: 0, speed_m_s: 10 }; }), "a laboratory at rest, and this one travels"],
     "a NUL": ["{\"a\u0000\": 1}", "closing quote"], // ends the text for the engine
   };
   for (const [what, [text, part]] of Object.entries(limits)) {

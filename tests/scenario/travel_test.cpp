@@ -115,6 +115,21 @@ TEST(Travel, KnotsAreTheNearestNumberInMetresPerSecond) {
   EXPECT_LE(travelling(R"({"path": "rhumb", "course_deg": 90, "speed_kn": 194384})").travel->speed_m_s, 1e5);
 }
 
+// A change gives the speed anew, in whichever unit; two changes that give it twice are refused.
+TEST(Travel, AChangeTakesThePlaceOfTheOtherUnit) {
+  const auto with = [](const std::string& travel) {
+    return replaced(kMinimal, "\"release\"", "\"travel\": " + travel + ", \"release\"");
+  };
+  const std::string text = with(R"({"path": "rhumb", "course_deg": 30, "speed_kn": 36})");
+  EXPECT_EQ(parse(with(kSailing), {{"/travel/speed_kn", "36"}}).travel->speed_m_s, 18.52);
+  EXPECT_EQ(parse(text, {{"/travel/speed_m_s", "7"}}).travel->speed_m_s, 7);
+  EXPECT_EQ(parse(text, {{"/travel/speed_kn", "18"}}).travel->speed_m_s, 9.26);
+  EXPECT_EQ(parse(text, {{"/travel/course_deg", "7"}}).travel->speed_m_s, 18.52);
+  EXPECT_EQ(parse(changed_text(text, {{"/travel/speed_m_s", "7"}})).travel->speed_m_s, 7);
+  testing::expect_refused({"minimal.json", text},
+                          {{{"/travel/speed_m_s", "7"}, {"/travel/speed_kn", "7"}}, "/travel/speed_kn", "both given"});
+}
+
 TEST_F(Voyage, BeginsWhereItsTableDoes) {
   const Scenario s = read(kRows, "{}");
   EXPECT_EQ(s.site.latitude_deg, 45);

@@ -364,7 +364,21 @@ def two(first=0, second=0):
 ENGINE = {"time": {"column": "t"}, "axis": {"columns": ["x", "y", "z"]}}
 LEANING = {"m.json": json.dumps(ENGINE),
            "engine.csv": csv("t,x,y,z", [[t, math.sin(math.radians(21)), 0, math.cos(math.radians(21))] for t in (0, 1e-9)])}
+# A laboratory that travels, and a file without the columns of its way; an engine that leaves its laboratory where it is.
+ABOARD = {"/travel": {"path": "rhumb", "course_deg": 90, "speed_m_s": 250, "reference": "at_rest"}, "/headline": None, "/criteria": None,
+          "/motion": {"duration_s": 20, "output_step_s": 1}}
+
+
+def engine_aboard(prefix, says, **more):
+    mapping = {"time": {"column": "t_s"}, "quaternion": {"columns": [f"{prefix}q_LB_{c}" for c in "wxyz"]}}
+    return Case(["run s.json --out old --quiet", "compare old old/trajectory.csv --mapping m.json --profile physics"], says,
+                scenario="free-gyro", set=ABOARD, files={"m.json": json.dumps(mapping)}, **more)
+
+
 OF_ENGINES = [
+    engine_aboard("", "same: old/trajectory.csv against old (profile physics; compared from 0 to 20 s, 21 of 21 rows)"),
+    engine_aboard("ref_", "the motion in a laboratory that stays at the place of the release", status=1,
+                  unless={"/travel/reference": "same_path"}),
     Case("compare s.json engine.csv --mapping m.json --estimate tilt_deg",
          ["engine.csv against toy-top: 2 rows, all of the same weight, since the file states no errors",
           "as given: the differences are 0.0123 rad (root mean square; rates divided by the fastest one)", "fitted: ",

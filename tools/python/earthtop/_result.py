@@ -101,7 +101,8 @@ class Result(Pickled):
 
     The arrays of its rows are attributes (``r.t_s``, ``r.q_LB``), listed by ``print(r.rows)``; those of the drift are in
     ``r.drift``. They are read-only and, where the library holds the numbers as they are, no copies. Units end the names; L is
-    the laboratory (East, North, Up), B the body; ``ref_`` marks the non-rotating prediction.
+    the laboratory (East, North, Up), B the body; ``ref_`` marks the non-rotating prediction, or, where
+    ``travel/reference`` is ``at_rest``, that of the laboratory that stays.
 
     A result can be pickled: it is stored as the files that the program would write, and reads back to the same bits. A pickle that is
     damaged is refused. A pickle is code: load none from strangers, who can send the files of ``save``.
@@ -135,6 +136,11 @@ class Result(Pickled):
     ref_inner_angle_rad: np.ndarray
     ref_outer_rate_rad_s: np.ndarray
     ref_inner_rate_rad_s: np.ndarray
+    latitude_deg: np.ndarray
+    longitude_deg: np.ndarray
+    height_m: np.ndarray
+    course_deg: np.ndarray
+    speed_m_s: np.ndarray
 
     def __init__(self, files: _Files, quantities: Sequence[Quantity], torques: Sequence[Quantity], *,
                  run: Optional["_core.RunResult"] = None, scenario: Optional[Scenario] = None) -> None:

@@ -96,7 +96,7 @@ class Scenario:
     """
 
     def __init__(self, content: Union[Mapping, str], *, path: Union[str, os.PathLike, None] = None) -> None:
-        if isinstance(content, os.PathLike) or (isinstance(content, str) and content.endswith(".json")):
+        if isinstance(content, os.PathLike) or (isinstance(content, str) and content.endswith(".json") and "{" not in content):
             raise refuse(f"{os.fspath(content)!r} is the name of a file; earthtop.load reads one")
         self._path = os.fspath(path) if path is not None else ""
         self._text = content if isinstance(content, str) else json_text(content)
