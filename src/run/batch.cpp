@@ -26,7 +26,10 @@ using Shared = std::tuple<SceneKind, bool, ModelForm, double, std::int64_t>;
 
 /// Whether the equations of a scene that is not plain can be recorded for lanes: a motion on a pivot that is smooth from the release on.
 /// That of a table or of waypoints is smooth only between its points, where the steps of a lane do not end.
+/// Against a laboratory that stays the laboratory's and the inertial observer's equations, by which lanes check each other, are the same.
 bool can_be_recorded(const Scene& scene) {
+  const Journey<double>& journey = scene.model<double>().journey;
+  if (!journey.empty() && (journey.has_still_reference() || !journey.joints().empty())) return false;
   return !scene.support().has_contact && scene.scenario().effects.applied.coulomb_N_m == 0 &&
          tables_of(scene.scenario()).empty() &&
          std::ranges::none_of(scene.scenario().moving_masses,
