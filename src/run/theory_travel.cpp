@@ -159,7 +159,7 @@ std::optional<TheoryReport> turned_body(const Scene& scene, const std::vector<Dr
     return std::nullopt;
   TheoryReport report;
   report.name = "free_attitude_drift";
-  report.statement = "attitude drift of a body without torque, on any journey: Omega t less whole turns";
+  report.statement = "attitude drift of a body without torque, on any journey: the angle by which the Earth has turned";
   report.unit = "rad";
   report.predicted = turned;
   report.predicted_error = 1e-15 * std::abs(scene.rotation_rate_rad_s()) * looks.back().t_s;

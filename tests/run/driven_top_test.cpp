@@ -145,6 +145,7 @@ TEST(Compass, WithOneAngleMovesAsAConstrainedBody) {
     Scenario s = plain;
     s.body.center_of_mass_m = {0, 0, 0.02};
     effect.add(s);
+    if (s.travel) continue;  // a level gimbal is none for a journey
     s.effects.applied.gimbal->damping_N_m_s = 2e-4;
     expect_the_same(s, plain, kHeldDriftAgrees);
   }

@@ -83,8 +83,9 @@ inline std::vector<EffectCase> driving_cases() {
        [](Scenario& s) { s.travel.reset(); }},
       {"transport", "way over the Earth",
        [](Scenario& s) {
-         s.travel = TravelSpec{.path = TravelPath::geodesic, .course_deg = -60, .speed_m_s = 5e4};
+         s.travel = TravelSpec{.path = TravelPath::geodesic, .course_deg = -60, .speed_m_s = 20};
          s.travel->eotvos = TravelEotvos::both;
+         s.travel->figure = TravelFigure::sphere, s.travel->radius_m = 2000;  // a planet on which the way turns the laboratory
        },
        [](Scenario& s) { s.travel.reset(); }},
       {"tide", "tide",

@@ -15,6 +15,7 @@ ROWS = [[0, 0], [1, 1e-6], [2, 3e-6]]
 DRIFT = "t_s,drift_axis_rad"
 ATTITUDE = "t_s,q_LB_w,q_LB_x,q_LB_y,q_LB_z"
 AXIS = "t_s,axis_L_x,axis_L_y,axis_L_z"
+OTHER_AXIS = AXIS.replace("axis", "ref_axis")
 RATES = "t_s,w_LB_B_x_rad_s,w_LB_B_y_rad_s,w_LB_B_z_rad_s"
 PAIR = "compare old new"
 
@@ -341,6 +342,11 @@ OF_HINTS = [
     *scaled("its rates have the opposite sign", -1, RATES, RATE_ROWS),
     *scaled("turns per minute instead of radians per second", 30 / math.pi),
     *scaled("the opposite sign", -1),
+    *told("ref_axis_rad: each new row is that of the reference one row later: are the times shifted by a sample?",
+          both({"columns": OTHER_AXIS, "rows": axes()[:-1]}, columns=OTHER_AXIS,
+               rows=[[t, *n] for t, (_, *n) in zip(TIMES, axes()[1:])]), 1,
+          both({"columns": OTHER_AXIS, "rows": axes()[1:]}, columns=OTHER_AXIS,
+               rows=[[t, *n] for t, (_, *n) in zip(TIMES[1:], axes())]), 1),
     *told("if each row is taken as that of the reference one row later: are the times shifted by a sample?",
           both({"columns": AXIS, "rows": axes()[:-1]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES, axes()[1:])]), 1,
           both({"columns": AXIS, "rows": axes()[1:]}, columns=AXIS, rows=[[t, *n] for t, (_, *n) in zip(TIMES[1:], axes())]), 1),

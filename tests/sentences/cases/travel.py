@@ -68,7 +68,7 @@ PAGE = "out/summary.json"
 CASES = [
     # -- figures
     Case("check s.json", ["journey", "East, North and Up turn over the Earth at up to", "leans aboard by up to",
-                          "a damped level compass points to 2.534 deg West of North", "a level free axis turns in azimuth by"],
+                          "a damped level compass points to", "a level free axis turns in azimuth by"],
          scenario=SHIP, set=WITHOUT, holds=ship_figures, unless={"/travel": None}),
     Case("check s.json", "km, to latitude 60.0", scenario=SHIP, set=WITHOUT, unless={"/travel/course_deg": 180}),
     Case("check s.json", "deg/h of it by the journey", scenario=SHIP, set=WITHOUT, unless={"/travel": None}),
@@ -78,12 +78,12 @@ CASES = [
     Case(RUN, "A damped compass settles along the level part of the rate at which the laboratory turns in space: that of the Earth, and that "
               "of its own way over the Earth", scenario=SHIP, set=WITHOUT, unless={"/gimbals/outer/viscous_torque_N_m_s": 0}),
     Case(RUN, "azimuth at which a damped level compass settles: -atan(v cos C/(M + h) / (Omega cos(latitude) + v sin C/(N + h)))",
-         scenario=SHIP, set=WITHOUT, unless={"/gimbals/outer/viscous_torque_N_m_s": 0}),
+         scenario=SHIP, set=WITHOUT, page=PAGE, unless={"/gimbals/outer/viscous_torque_N_m_s": 0}),
     Case(RUN, ["A level axis that is free stays in space while the laboratory turns about Up", "In azimuth it turns by"], scenario=GYRO,
          set={**WITHOUT, "/motion": {"duration_s": 5, "output_step_s": 1}}, holds=gyro_wanders, unless={"/release/inner_angle_deg": 60}),
     Case(RUN, ["Nothing turns the beam about its upright axis: it keeps its inertial rate about Up, while Up is carried along.",
                "how fast it was carried does not matter",
-               "turn of a level beam that keeps its inertial rate about an upright axis which is carried along"], scenario=BEAM, set=WITHOUT,
+               "turn of a level beam that keeps its inertial rate about an upright axis which is carried along"], scenario=BEAM, set=WITHOUT, page=PAGE,
          holds=beam_turned, unless={"/gimbals/outer": {"viscous_torque_N_m_s": 1e-6}}),
     Case(RUN, "Nothing turns the body in space. On any journey its attitude drifts by the angle by which the Earth has turned", scenario=WORLD,
          set={**WITHOUT, "/motion": {"duration_s": 100, "output_step_s": 10}}, unless={"/release/rates_relative_to": "laboratory"}),
@@ -100,7 +100,7 @@ CASES = [
          set={**SAILS, **AT_REST}, unless={"/travel/reference": "same_path"}, status=2),
     # -- what is refused
     Case("check s.json", 'is not available on a journey; take "auto", or leave the journey out',
-         set={**SAILS, "/numerics": {"method": "closed_form"}}, unless={"/travel": None}, status=2),
-    Case("check s.json", "/travel: comes nearer than 0.1 deg to a pole at t =", set={**SAILS, "/site/latitude_deg": 89.8999, "/travel/course_deg": 0},
-         unless={"/travel/course_deg": 180}, status=2),
+         set={**SAILS, "/numerics": {"method": "closed_form"}}, unless={"/travel": None}, status=1),
+    Case("check s.json", "/travel: comes nearer than 0.1 deg to a pole at t =", set={**SAILS, "/site/latitude_deg": 89.89995, "/travel/course_deg": 0},
+         unless={"/travel/course_deg": 180}, status=1),
 ]
