@@ -250,11 +250,10 @@ std::string contact_section(const Run& run, Page& page) {
                                 "The distance of the two contact points and its parts. " + run.drawn_words);
   if (!run.listed.rows.empty() && run.listed.rows.back().t_s > 0 && std::isfinite(drift) && std::isfinite(bound))
     html += fmt::format("<p>At the end the distance is {}.</p>\n", known_html(drift, bound, length_unit(drift)));
-  return html +
-         page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
-                    "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words) +
-         events_html(run) + balances_html(run) + changes_html(run) +
-         page.chart("tip-bound", tip_bound_figure(run), "On a logarithmic scale, at the output rows.");
+  html += page.chart("force", force_figure(run, run.drawn), force_figure(run, run.listed),
+                     "Slip of the contact point over the table, and the force of the table on it. " + run.drawn_words);
+  html += events_html(run) + balances_html(run) + changes_html(run);
+  return html + page.chart("tip-bound", tip_bound_figure(run), "On a logarithmic scale, at the output rows.");
 }
 
 }  // namespace earthtop::report

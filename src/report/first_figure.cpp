@@ -133,9 +133,10 @@ bool add_plane(const Run& run, Page& page) {
   turned.end_label = told_at(turn->rad, turn->bound_rad, run.number("/outcome/reached_s").value_or(0), run.time);
   Figure figure = both(run, "The plane of the swing turns", "Turn of the plane of swing, clockwise from above", "degrees",
                        std::move(turned), line(without, without.azimuth[0]));
-  page.section("plane", "The plane of the swing",
-               rosette(run, page, *turn, with.t_s.size()) +
-                   page.chart("plane", std::move(figure), "The azimuth of the bob where it is farthest from the vertical."));
+  // The first picture that the page is given is its small one, too: the chart.
+  const std::string chart =
+      page.chart("plane", std::move(figure), "The azimuth of the bob where it is farthest from the vertical.");
+  page.section("plane", "The plane of the swing", rosette(run, page, *turn, with.t_s.size()) + chart);
   return true;
 }
 
