@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a symmetric top's axis sees around it in the rotating motion alone.
+/// A symmetric top's axis sees this around it in the rotating motion alone.
 #pragma once
 
 #include "earthtop/model/reduced_torques.hpp"

@@ -88,7 +88,7 @@ inline constexpr auto kTopMembers = [] {
                            [](R r) { return r.scene.top().gimbals->earth_offset_m; })),
       of_scenario(compared("top.gimbals.earth_nutation_rad", derived, any, kAtEnd,
                            [](R r) { return r.scene.top().gimbals->earth_nutation_rad; })),
-      // Of a laboratory that travels.
+      // These belong to a laboratory that travels.
       object_or_nothing("travel", [](R r) { return r.scene.scenario().travel.has_value(); }),
       of_scenario(
           compared("travel.reference", word, any, kAtEnd, [](R r) { return to_word(r.scene.scenario().travel->reference); })),

@@ -32,7 +32,7 @@ double apart(const Vec3<T>& made, const nlohmann::json& text) {
   return static_cast<double>(T(norm(Vec3<T>(made - truth)) / norm(truth)));
 }
 
-/// Of 25 printed digits of the largest component the last two may differ.
+/// The last two of 25 printed digits of the largest component may differ.
 constexpr double kPrinted = testing::reference(23, 100);
 
 /// @param share  of a rate's or field's size that may be missed

@@ -32,6 +32,7 @@ def test_rows_and_summary(ship):
     assert r.latitude_deg.shape == r.course_deg.shape == r.t_s.shape
     assert np.all(r.speed_m_s == 20 * KNOT) and np.all(r.course_deg == 0) and np.all(r.height_m == 0)
     travel = r.summary["travel"]
+    # Rounding: of some tens of operations for the length, of the radii of the ellipsoid for the false North.
     assert travel["reference"] == "at_rest" and travel["length_m"] == pytest.approx(20 * KNOT * 200, rel=1e-14)
     assert travel["end_latitude_deg"] == r.latitude_deg[-1] > 60 and r.longitude_deg[-1] == travel["end_longitude_deg"]
     assert travel["false_north_start_rad"] == pytest.approx(settled(0, 20 * KNOT), rel=1e-12)
@@ -54,6 +55,7 @@ def test_derivatives_by_speed_and_course(ship):
 def test_a_study_of_courses(ship):
     courses = [0, 45, 90, 180]
     table = et.study(ship, {"travel/course_deg": courses}, collect={"north": "travel.false_north_start_rad"})
+    # Rounding; at 90 deg the false North is 0 but for the cosine of a rounded right angle.
     assert list(table.north) == pytest.approx([settled(course, 20 * KNOT) for course in courses], rel=1e-12, abs=1e-15)
 
 

@@ -36,7 +36,7 @@ struct Point {
   double x, y;
 };
 
-/// What can be read off a map.
+/// Numbers that can be read off a map.
 struct SeenMap {
   std::vector<Labelled> parallels, meridians;
   std::vector<std::vector<Point>> way;

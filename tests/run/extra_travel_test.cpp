@@ -66,7 +66,7 @@ struct SlowCompass {
     const double x = std::min(t_s / 60, 1.0);
     return speed * x * x * x * (10 - 15 * x + 6 * x * x);
   }
-  /// Of azimuth, elevation and latitude.
+  /// The rates of azimuth, elevation and latitude.
   std::array<double, 3> slope(double t_s, const std::array<double, 3>& at) const {
     const double x = std::min(t_s / 60, 1.0), v = velocity(t_s), ratio = moment / momentum;
     const double a = speed * 30 * x * x * (1 - x) * (1 - x) / 60, jerk = speed * 60 * x * (1 - x) * (1 - 2 * x) / 3600;

@@ -93,7 +93,7 @@ TEST(Travel, WithoutAWayThereIsNoDriftFromALaboratoryAtRest) {
   }
 }
 
-/// What a laboratory that travels at speed 0 sees is what one at rest sees.
+/// A laboratory that travels at speed 0 sees the same as one at rest.
 TEST(Travel, AtSpeedZeroIsALaboratoryAtRest) {
   for (Scenario& s : voyages()) {
     s.travel->speed_m_s = 0, s.travel->legs.clear();

@@ -86,7 +86,7 @@ TEST(Travel, DefaultsAreThoseOfTheSpecification) {
   EXPECT_EQ(expected.eotvos, TravelEotvos::rotating);
   EXPECT_EQ(expected.figure, TravelFigure::wgs84);
   EXPECT_EQ(expected.radius_m, 6371008.7714);
-  // What does not belong to it is not written, as it would be refused.
+  // A key that does not belong to it is not written, as it would be refused.
   EXPECT_NE(canonical_json(s).find(R"("travel":{"course_deg":30.0,"eotvos":"rotating","figure":"wgs84","path":"rhumb",)"
                                    R"("reference":"same_path","speed_m_s":10.0})"),
             std::string::npos)
@@ -198,7 +198,7 @@ TEST_F(Voyage, BadTablesAreRefused) {
                  "the places in degrees and metres");
 }
 
-/// What is wrong with a journey, as a JSON value for /travel, or beside one.
+/// A fault of a journey, as a JSON value for /travel, or beside one.
 const testing::Refusal kRefusals[] = {
     {{{"/travel", "{}"}}, "/travel/path", "must be \"rhumb\", \"geodesic\", \"table\""},
     {{{"/travel", "true"}}, "/travel", "must be an object"},
@@ -293,7 +293,7 @@ TEST(Travel, BadInputIsRefusedWithPlaceAndRemedy) {
                           {{{"/travel", sailing(many + "]")}}, "/travel/legs", "has 10001 legs; at most 10000 are allowed"});
 }
 
-/// What is switched off, or acts without a change, is not refused.
+/// A part that is switched off, or acts without a change, is not refused.
 TEST(Travel, WhatDoesNotActBesideItIsTaken) {
   for (const auto& [pointer, value] :
        {std::pair("/effects/tide", "false"), std::pair("/effects/polar_motion", "false"), std::pair("/effects/gimbal", "false"),

@@ -65,7 +65,7 @@ inline float128 normal_gravity_by_arc_tangent(float128 latitude, float128 height
 struct MovingPlace {
   Jet latitude, longitude, height;  ///< rad, rad, m
 };
-/// What a laboratory sees of inertial space, in its axes.
+/// A laboratory sees this of inertial space, in its axes.
 struct LaboratoryByForce {
   Mat3<float128>
       R_IL;  ///< in axes at rest with their third along the Earth's axis and the Greenwich meridian at t = 0 in the first two
@@ -191,7 +191,7 @@ class TravellingByForce {
   using State = std::array<float128, 4 + 2 * kOfMotion>;  // latitude, longitude, course, time, and both motions
   inline static const float128 kDegree = real::pi<float128>() / 180;
 
-  /// What the legs give: speed, height, and the rate of the turns.
+  /// The legs give speed, height, and the rate of the turns.
   struct Given {
     Jet speed, height;
     float128 turn_rate = 0;

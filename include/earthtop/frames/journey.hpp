@@ -63,7 +63,7 @@ struct JourneyPlace {
   double length_m;    ///< of the way since the release
 };
 
-/// What a journey is made from, beside its specification.
+/// A journey is made from this, beside its specification.
 template <class T>
 struct JourneySetting {
   Site site;

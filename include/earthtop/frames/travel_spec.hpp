@@ -46,7 +46,7 @@ struct TravelSpec {
   bool operator==(const TravelSpec&) const = default;
 };
 
-/// No laboratory is carried farther North or South: East and North lose their meaning at the poles.
+/// A laboratory is not carried farther North or South: East and North lose their meaning at the poles.
 inline constexpr double kLargestLatitudeDeg = 89.9;
 
 }  // namespace earthtop
