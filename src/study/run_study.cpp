@@ -409,6 +409,15 @@ std::optional<Common> common_in(const Study& study, const std::vector<fs::path>&
   return common;
 }
 
+/// Refuses a store whose points belong to another study than its description is for this program: none would be found again.
+void require_own_identity(Store& store, const fs::path& file) {
+  if (store.sha256() == study_sha256(store.study())) return;
+  const std::string build = store.build();
+  refuse_file(file, fmt::format("holds points of a study that its description does not give to this version of earthtop{}; merge "
+                                "it with the version that computed it, or run the study again",
+                                build.empty() ? "" : fmt::format(" (they were computed by {})", printable(build))));
+}
+
 /// The design of one of the stores that has the points of all; or the grid of all values.
 /// @throws ScenarioError, which names the key that differs, where there is none
 Common common_design(const std::vector<fs::path>& stores) {
@@ -418,6 +427,7 @@ Common common_design(const std::vector<fs::path>& stores) {
   for (std::size_t i = 0; i < stores.size(); ++i) {
     Store store = Store::open(stores[i], sqlite::Connection::Mode::read);
     store.check_intact();
+    require_own_identity(store, stores[i]);
     order.emplace_back(~point_count(store.study()).value_or(0), i);
     studies.push_back(store.study());
     identities.push_back(store.sha256());

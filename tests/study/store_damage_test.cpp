@@ -214,5 +214,22 @@ TEST_F(StoreDamage, OfAStoreWithoutChecksumsIsNotKnown) {
   EXPECT_FALSE(report.has_checksums);
 }
 
+TEST_F(StoreDamage, MergeRefusesPointsOfAnIdentityThatTheDescriptionDoesNotGive) {
+  const fs::path merged = directory_.path() / "merged";
+  EXPECT_EQ(merge_study_stores({store_}, merged, false), 20U);
+  fs::remove_all(merged);
+  execute("ALTER TABLE point DROP COLUMN row_checksum");
+  execute("DELETE FROM study WHERE key IN ('facts_checksum', 'contents')");
+  execute("UPDATE study SET value = 'of an older version' WHERE key = 'sha256'");
+  try {
+    merge_study_stores({store_}, merged, false);
+    FAIL() << "nothing was refused";
+  } catch (const ScenarioError& error) {
+    const std::string& message = error.diagnostics().front().message;
+    EXPECT_NE(message.find("merge it with the version that computed it"), std::string::npos) << message;
+  }
+  EXPECT_FALSE(fs::exists(merged));
+}
+
 }  // namespace
 }  // namespace earthtop
