@@ -35,14 +35,15 @@ std::optional<Steady> steady(const SlowTop& top, double u, double S) {
                 -top.I1 * (p + u * p_u) * sine - across * u / sine};
 }
 
-std::optional<Rates> rates(const SlowTop& top, const Vec3<double>& W_L, const Slow& at) {
+std::optional<Rates> rates(const SlowTop& top, const Vec3<double>& W_L, const Slow& at, double t) {
   const std::optional<Steady> now = steady(top, at.u, at.S);
   if (!now) return std::nullopt;
   const double sine = std::sqrt(1 - at.u * at.u), east = real::cos(at.azimuth), north = real::sin(at.azimuth);
   const double azimuth_rate = now->p - W_L[2] - W_L[1] * north * now->level_by_u / now->vertical_by_u;
   const double spin = at.S / top.I3 - (W_L[1] * sine * north + W_L[2] * at.u);
   // The body's first axis points up the slope.
-  const Vec3<double> torque = friction_torque(top.applied, Vec3<double>(azimuth_rate * sine, 0, spin));
+  Vec3<double> torque = friction_torque(top.applied, Vec3<double>(azimuth_rate * sine, 0, spin));
+  if (top.applied.given.acts) torque[2] += top.applied.given.at(t)[2];
   const double vertical_rate = W_L[1] * now->level * east + torque[0] * sine + torque[2] * at.u;
   return Rates{(vertical_rate - now->vertical_by_S * torque[2]) / now->vertical_by_u, torque[2], azimuth_rate};
 }
@@ -52,11 +53,11 @@ Slow moved(const Slow& from, const Rates& rate, double h) {
 }
 
 /// A step of the classical Runge-Kutta method.
-std::optional<Slow> stepped(const SlowTop& top, const Vec3<double>& W_L, const Slow& from, double h) {
+std::optional<Slow> stepped(const SlowTop& top, const Vec3<double>& W_L, const Slow& from, double t, double h) {
   std::array<Rates, 4> k;
   Slow at = from;
   for (std::size_t stage = 0; stage < k.size(); ++stage) {
-    const std::optional<Rates> rate = rates(top, W_L, at);
+    const std::optional<Rates> rate = rates(top, W_L, at, stage == 0 ? t : stage == 3 ? t + h : t + h / 2);
     if (!rate) return std::nullopt;
     k[stage] = *rate;
     at = moved(from, *rate, stage == 2 ? h : h / 2);
@@ -91,6 +92,7 @@ std::optional<SlowPrecession> slow_precession(const SlowTop& top, double duratio
   const std::optional<Slow> start = without_nutation(top, released[2], released.dot(n_L));
   if (!start) return std::nullopt;
   const double first_rate = steady(top, start->u, start->S)->p;
+  const double shaken = top.applied.given.oscillates ? 2 * std::numbers::pi * top.applied.given.frequency : 0;  // rad/s
   // The drift is linear in the Earth's rate but for terms of its square: at a small part of the precession's rate, it is had without a
   // difference of numbers that are nearly equal.
   const double part = kEarthPart * std::abs(first_rate) / Omega;
@@ -108,8 +110,8 @@ std::optional<SlowPrecession> slow_precession(const SlowTop& top, double duratio
     slowest = std::min(slowest, std::abs(p));
     flattest = std::min(flattest, std::sqrt(1 - plain.u * plain.u));
     if (!(found.smallness <= kMostSmall) || !(flattest > kNearVertical) || steps >= kMostSteps) return std::nullopt;
-    const double h = std::min({duration_s - t, duration_s / kFewestSteps, kPhase / std::abs(p)});
-    const std::optional<Slow> next = stepped(top, Vec3<double>::Zero(), plain, h), other = stepped(top, W_L, rotating, h);
+    const double h = std::min({duration_s - t, duration_s / kFewestSteps, kPhase / std::max(std::abs(p), shaken)});
+    const std::optional<Slow> next = stepped(top, Vec3<double>::Zero(), plain, t, h), other = stepped(top, W_L, rotating, t, h);
     if (!next || !other || next->S * start->S <= 0) return std::nullopt;
     plain = *next, rotating = *other;
     if (!steady(top, plain.u, plain.S)) return std::nullopt;

@@ -61,7 +61,7 @@ void tell_on_rubbing_table(Told& told) {
   if (!turned || !last.drift_azimuth_rad || std::abs(*turned) < kTurns * 2 * std::numbers::pi) return;
   const double computed = -*last.drift_azimuth_rad, rest = computed - of_laboratory;
   if (!(std::abs(rest) <= kMostRest * std::abs(of_laboratory)) || std::abs(up) <= kNone * told.Omega()) return;
-  tell_earth_turns(told);
+  if (told.sentences.empty()) tell_earth_turns(told);
   told.add(
       "laboratory_turns",
       fmt::format(
@@ -139,11 +139,29 @@ void tell_table_weighs(Told& told) {
         {{"table_tilt_rad", tilted}, {"axis_rad", axis}});
 }
 
+/// The air takes spin, as its torque along the axis does, and speed.
+void tell_in_air(Told& told) {
+  const AppliedTorquesSpec& air = told.scene.scenario().effects.applied;
+  const ContactSpec& spec = *told.scene.scenario().contact;
+  const Release<double>& release = told.scene.release<double>();
+  const double spin = release.w_XB_B[2];
+  if (!air.friction() || air.gravity_gradient || told.scene.symmetry_axis() != 2 || spec.table_tilt_deg != 0 || spin == 0 ||
+      !told.result.motion)
+    return;
+  const double last = spin_left(told, make_applied_torques<double>(air, told.scene.site(), spin, 0, 0), spin);
+  constexpr double kChanged = 1e-6;  // by a torque, not only by what rolling exchanges
+  if (!(last * spin > 0) || !(std::abs(last - spin) > kChanged * std::abs(spin)) || !spin_agrees(told, spin, last)) return;
+  tell_earth_turns(told);
+  tell_spin_changes(told, "air_slows", "The air slows", spin, last, ".");
+  if (spec.law != ContactLaw::frictionless) tell_on_rubbing_table(told);
+}
+
 }  // namespace
 
 void tell_sliding(Told& told) {
   const ContactSpec& spec = *told.scene.scenario().contact;
-  if (!told.result.contact || told.scene.scenario().effects.applied.any()) return;
+  if (!told.result.contact) return;
+  if (told.scene.scenario().effects.applied.any()) return tell_in_air(told);
   if (told.scene.symmetry_axis() == 2 && spec.table_tilt_deg == 0) {
     if (spec.law == ContactLaw::frictionless)
       tell_frictionless(told);

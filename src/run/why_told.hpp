@@ -128,6 +128,14 @@ std::optional<AveragedDrift> averaged_drift(const RunResult& result, double peri
 /// @param I1  the moment across the axis about the point round which the top precesses (kg m^2)
 SlowTop slow_top(const Told& told, double I1, const AppliedTorques<double>& applied);
 
+/// The spin (rad/s) to which friction and a given torque along the axis bring a top whose axis is at rest.
+double spin_left(const Told& told, const AppliedTorques<double>& applied, double spin);
+/// Whether that agrees with the run.
+bool spin_agrees(const Told& told, double first, double last);
+/// Tells it.   @param cause  at the beginning of a sentence   @param and_so  what follows from it, to the end of the sentence
+void tell_spin_changes(Told& told, std::string_view name, const std::string& cause, double first, double last,
+                       const std::string& and_so);
+
 /// Tells the azimuth's drift in slow precession, where theory applies and agrees with the run.
 /// @param slow  to the end of the run   @param tell_cause  tells what acts besides
 template <class TellCause>

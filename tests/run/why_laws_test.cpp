@@ -16,6 +16,7 @@
 #include "run/slow_precession.hpp"
 #include "run/turn_over.hpp"
 #include "support/changed_scene.hpp"
+#include "support/tolerances.hpp"
 #include "support/why_sentences.hpp"
 
 namespace earthtop {
@@ -23,6 +24,7 @@ namespace {
 
 using testing::find;
 using testing::number;
+using testing::rounding;
 using testing::says;
 
 constexpr double kRadians = std::numbers::pi / 180;  // in a degree
@@ -182,6 +184,53 @@ TEST(WhyFriction, ABalancedGyroscopeKeepsItsDirectionWhileItSlows) {
       EXPECT_NEAR(number(result, "what_is_left", "computed_rad"), moved, 0.01 * moved);
       EXPECT_EQ(number(result, "what_is_left", "computed_rad"), result.drift.axis_final_rad);
     }
+}
+
+/// A constant and an alternating torque along the axis, on a top that precesses.
+TEST(WhyGivenTorque, TheSpinAndTheDriftOfARunAreThoseOfTheLaw) {
+  RandomNumbers draw(74);
+  int told = 0;
+  for (int i = 0; i < 8; ++i) {
+    Scenario s = rubbed_top(draw);
+    const double I3 = s.body.inertia_kg_m2[2][2], spin = s.release.spin_rad_s, T = s.duration_s;
+    const double torque = draw.between(-0.3, 0.5) * I3 * spin / T, frequency = 1.3;
+    GivenTorqueSpec given;
+    given.torque_N_m = {0, 0, torque};
+    if (i % 2 == 1) given.course = TorqueCourse::harmonic, given.frequency_hz = frequency, given.phase_deg = 20;
+    s.effects.applied.given_torque = given;
+    const RunResult result = run(s);
+    if (!find(result, "given_torque")) continue;
+    ++told;
+    const double cycle = 2 * std::numbers::pi * frequency, phase = 20 * kRadians;
+    constexpr double kNutation = 0.01;  // what it makes of the spin's change
+    const double taken = i % 2 == 0 ? torque * T : torque * (std::cos(phase) - std::cos(cycle * T + phase)) / cycle;
+    EXPECT_NEAR(number(result, "given_torque", "predicted_spin_last_rad_s"), spin + taken / I3,
+                kNutation * std::abs(taken / I3) + rounding(1000 * std::abs(spin)));
+    EXPECT_EQ(number(result, "given_torque", "computed_spin_last_rad_s"), result.motion->spin_end_rad_s.reference.value);
+    const double predicted = number(result, "what_is_left", "predicted_rad");
+    EXPECT_NEAR(predicted, number(result, "what_is_left", "computed_rad"),
+                number(result, "what_is_left", "predicted_error_rad"));
+    const bool quickens = says(result, "given_torque", "quickens to"), slows = says(result, "given_torque", "slows to");
+    EXPECT_EQ(quickens, i % 2 == 0 && torque * spin < 0) << i;
+    EXPECT_EQ(slows, i % 2 == 0 && torque * spin > 0) << i;
+  }
+  EXPECT_GE(told, 5);
+}
+
+TEST(WhyGivenTorque, ABalancedGyroscopeKeepsItsDirection) {
+  Scenario s;
+  s.site = {30, 0, 0, 9.80665};
+  s.body.mass_kg = 0.1;
+  s.body.inertia_kg_m2 = {{{1.2e-4, 0, 0}, {0, 1.2e-4, 0}, {0, 0, 2e-4}}};
+  s.release.tilt_deg = 30, s.release.azimuth_deg = 200, s.release.spin_rad_s = 300;
+  s.duration_s = 20, s.output_step_s = 0.5;
+  s.effects.applied.given_torque.emplace().torque_N_m = {0, 0, 1e-3};
+  const RunResult result = run(s);
+  EXPECT_TRUE(says(result, "no_torque_across", "while the spin rises"));
+  EXPECT_NEAR(number(result, "given_torque", "predicted_spin_last_rad_s"), 400, rounding(256 * 400));  // in as many steps
+  // A torque across the axis is told by no law.
+  s.effects.applied.given_torque->torque_N_m = {0, 1e-6, 1e-3};
+  EXPECT_FALSE(find(run(s), "given_torque"));
 }
 
 // -- without a torque

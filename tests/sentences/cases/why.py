@@ -98,6 +98,22 @@ def axis_turns(text):
     return near(size(text, "of that, and by"), float(rows(text)[-1]["drift_axis_rad"]), 1e-5)
 
 
+def spins(text):
+    """The spin at the release, in theory and in the run at the end."""
+    found = re.search(r"the spin from (\S+) rad/s to (\S+) rad/s in theory, and to (\S+) rad/s in this run", text)
+    return [float(number) for number in found.groups()]
+
+
+def spun_up(text):
+    first, predicted, computed = spins(text)
+    return near(predicted, first + 0.0005 * 60 / 4e-5, 0.01) and near(computed, predicted, 0.01)
+
+
+def slowed_by_air(text):
+    first, predicted, computed = spins(text)
+    return near(predicted, first * math.exp(-4e-7 * 10 / 4e-5), 1e-4) and near(computed, predicted, 1e-3)
+
+
 FREE = {"/release": {"tilt_deg": 60, "azimuth_deg": 30, "angular_velocity_body_rad_s": [10, 3, 4]}, "/motion/output_step_s": 0.1}
 
 CASES = [
@@ -109,6 +125,14 @@ CASES = [
     Case(RUN, ["No torque acts across the axis, which therefore keeps its direction among the stars while the spin falls",
                "The drift of the axis is"], scenario="hard/spin-down", page=ROWS, holds=balanced,
          unless={"/release/spin_rad_s": 0.1}),
+    Case(RUN, ["The given torque along the axis, 0.0005 N m, takes the spin from 200 rad/s to", "therefore slows to"],
+         set={"/effects": {"given_torque": {"axes": "body", "torque_N_m": [0, 0, 0.0005]}}, "/criteria": None, "/headline": None}, holds=spun_up,
+         unless={"/effects/given_torque/torque_N_m": [0.0005, 0, 0]}),
+    Case(RUN, "while the spin rises", scenario="hard/spin-down",
+         set={"/effects": {"given_torque": {"axes": "body", "torque_N_m": [0, 0, 1e-4]}}, "/criteria": None, "/headline": None},
+         unless={"/effects/given_torque/torque_N_m": [0, 0, -1e-4]}),
+    Case(RUN, ["The air slows the spin from 200 rad/s to", "and what the table's force makes of it"], scenario="top-in-air-on-table",
+         set={"/headline": None, "/motion/duration_s": 10}, holds=slowed_by_air, unless={"/effects/viscous_torque_N_m_s": None}),
     Case(RUN, "No friction holds the tip, which circles below a centre of mass that nothing pushes sideways",
          scenario="hard/k01-frictionless", holds=frictionless, unless={"/contact/table_tilt_deg": 0.1}),
     Case(RUN, ["Both predictions have the same friction. To first order, 0.3 % more of it",
