@@ -11,7 +11,7 @@
 
 #include "budget/drift_scene.hpp"
 #include "budget/effects.hpp"
-#include "budget/gyrostat_budget.hpp"
+#include "budget/torque_budget.hpp"
 #include "drift/derivatives/drift_differences.hpp"
 #include "earthtop/drift/sensitivity.hpp"
 #include "earthtop/scenario/support.hpp"
@@ -156,7 +156,7 @@ EffectEntry entry_of(const Scene& scene, const Candidate& candidate, const Sized
   const double size = std::abs(candidate.size);
   entry.torque_release_N_m = in_newton_metres(size * sized.torque_release, units);
   entry.torque_largest_N_m = in_newton_metres(size * sized.torque_largest, units);
-  if (!sized.responses) return entry;
+  if (!sized.responses || !candidate.has_responses) return entry;
   if (!candidate.in_difference) entry.displacement_rad = later * size * sized.responses->displacement_largest;
   const double grown = candidate.in_difference ? drift_later : later * drift_later;  // the drift itself is displaced
   entry.drift_rad = grown * size * sized.responses->drift_largest;
@@ -252,23 +252,26 @@ struct Preparation {
 void require_sizes(const Scene& scene) {
   const Support& support = scene.support();
   if (!support.no_effect_sizes.empty()) throw ScenarioError(std::string(support.pointer), std::string(support.no_effect_sizes));
+}
+
+/// Whether the budget states torques and the drift of all effects together: the variations start from one rate of the laboratory, and are
+/// those of a single body.
+bool is_of_torques(const Scene& scene) {
   const auto& travel = scene.scenario().travel;
-  if (travel && travel->reference == TravelReference::at_rest)
-    throw ScenarioError("/travel/reference",
-                        "effects are sized against the same journey on an Earth that stands still; take \"same_path\"");
+  return scene.support().has_moving_parts() || (travel && travel->reference == TravelReference::at_rest);
 }
 
 }  // namespace
 
 double budget_seconds(const Scene& scene) {
-  if (scene.support().has_moving_parts()) return gyrostat_budget_seconds(scene);
+  if (is_of_torques(scene)) return torque_budget_seconds(scene);
   require_sizes(scene);
   const Preparation prepared(scene);
   return prepared.by.seconds + prepared.drift_seconds;
 }
 
 Budget effect_budget(const Scene& scene, const Watch& watch) {
-  if (scene.support().has_moving_parts()) return gyrostat_budget(scene, watch);
+  if (is_of_torques(scene)) return torque_budget(scene, watch);
   require_sizes(scene);
   const NaturalUnits& units = scene.problem_without_rows<double>().units;
   const Preparation prepared(scene);

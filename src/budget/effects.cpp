@@ -11,6 +11,7 @@
 #include "earthtop/frames/earth_orientation.hpp"
 #include "earthtop/model/applied_motion.hpp"
 #include "earthtop/model/carrier.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 
 namespace earthtop {
 namespace {
@@ -18,6 +19,9 @@ namespace {
 constexpr std::string_view kWithoutDate = "2026-01-01T00:00:00Z";  // used only to size effects if the scene gives no date
 constexpr double kUsualExcess_s = 1e-3;                            // typical excess of the length of day
 constexpr double kUsualDeflection_arcsec = 10;                     // typical deflection of the vertical
+constexpr std::string_view kEotvosReason = "the Coriolis force on the laboratory, by which the plumb line aboard leans",
+                           kBallisticReason = "the laboratory's acceleration over the Earth",
+                           kTransportReason = "East, North and Up turn with the place";
 
 Vec3<double> seen_from(const FollowedStep& step, const Vec3<double>& u_L) {
   return transposed_times(rotation_matrix(step.q_LB), u_L);
@@ -236,30 +240,88 @@ std::optional<Candidate> given_torque(const Scene& scene) {
   return c;
 }
 
-/// The torque of a part of the field at a travelling pivot: the mass moment times the part, at the release and largest.
-/// @param part_L  takes the model and a time to the part (m/s^2)
-template <class Part>
-std::array<double, 2> torque_on_journey(const Scene& scene, const Part& part_L) {
+bool travels(const Scene& scene) { return scene.scenario().travel.has_value(); }
+bool is_felt(const Scene& scene) { return travels(scene) && scene.scenario().travel->eotvos != TravelEotvos::off; }
+
+/// What a travelling laboratory feels beside gravity, in its own axes (m/s^2), and how it turns over the Earth (rad/s).
+struct Aboard {
+  Vec3<double> coriolis_L, inertial_L, w_EL_L;
+
+  Aboard(const Model<double>& model, double t) {
+    const LaboratoryNow<double> now(model, t);
+    std::array<std::array<double, 3>, 2> rows{};  // the velocity and its derivative, as L sees it
+    model.journey.expand(JourneyPart::velocity_in_L, t, rows);
+    const Vec3<double> v(rows[0][0], rows[0][1], rows[0][2]), slope(rows[1][0], rows[1][1], rows[1][2]);
+    w_EL_L = now.w_EL_L;
+    coriolis_L = -2 * Vec3<double>(now.w_IL_L - w_EL_L).cross(v);
+    inertial_L = -(slope + w_EL_L.cross(v));
+  }
+};
+
+/// The size of a torque at the release, and the largest that it may have in any attitude.
+/// @param size  of the torque, from what is aboard
+template <class Size>
+std::array<double, 2> torque_on_journey(const Scene& scene, const Size& size) {
   const Model<double>& model = scene.model<double>();
-  const double moment = norm(model.mass_moment_B), end = scene.scenario().duration_s;
   constexpr int kLooks = 1000;
   double largest = 0;
-  for (int i = 0; i <= kLooks; ++i) largest = std::max(largest, norm(part_L(model, end * i / kLooks)));
-  return {moment * norm(part_L(model, 0.0)), moment * largest};
+  for (int i = 0; i <= kLooks; ++i) largest = std::max(largest, size(Aboard(model, scene.scenario().duration_s * i / kLooks)));
+  return {size(Aboard(model, 0)), largest};
 }
-/// The Coriolis acceleration of the laboratory, which leans the plumb line aboard to the side and makes it lighter or heavier.
 std::array<double, 2> eotvos_torque(const Scene& scene) {
-  const Vec3<double> W_L = scene.rotation_rate_rad_s() * celestial_axis_L<double>(scene.site());
-  return torque_on_journey(scene, [&](const Model<double>& model, double t) {
-    return Vec3<double>(
-        2 * W_L.cross(LaboratoryAxes<double>(model.journey, t).reference(model.journey.at(JourneyPart::velocity_in_L, t))));
-  });
+  const double moment = norm(scene.model<double>().mass_moment_B);
+  return torque_on_journey(scene, [&](const Aboard& aboard) { return moment * norm(aboard.coriolis_L); });
 }
-/// The acceleration over an Earth that stands still, along the way and across it.
 std::array<double, 2> ballistic_torque(const Scene& scene) {
-  return torque_on_journey(scene, [](const Model<double>& model, double t) { return model.journey.at(JourneyPart::field, t); });
+  const double moment = norm(scene.model<double>().mass_moment_B);
+  return torque_on_journey(scene, [&](const Aboard& aboard) { return moment * norm(aboard.inertial_L); });
 }
-bool travels(const Scene& scene) { return scene.scenario().travel.has_value(); }
+
+/// The candidate for a part of the field at a travelling pivot, by the part of the journey that makes it.
+/// @param field_A  gives it at a time, in the axes A of the integration
+template <class Field>
+Candidate field_part(const Scene& scene, JourneyPart part, const Field& field_A) {
+  Candidate c;
+  const Model<double>& model = scene.problem_without_rows<double>().model;
+  c.input.journey = model.journey.only(part);
+  c.torque = [moment_B = model.mass_moment_B, field_A](const FollowedStep& s) {
+    return norm(field_torque(moment_B, seen_from(s, field_A(s.t))));
+  };
+  return c;
+}
+std::optional<Candidate> eotvos(const Scene& scene) {
+  if (!is_felt(scene)) return std::nullopt;
+  const Model<double>& model = scene.problem_without_rows<double>().model;
+  Candidate c = field_part(scene, JourneyPart::velocity, [&model](double t) {
+    return Vec3<double>(-2 * model.W_IL_L.cross(model.journey.at(JourneyPart::velocity, t)));
+  });
+  c.in_difference = scene.scenario().travel->eotvos == TravelEotvos::rotating;
+  c.reason = std::string(kEotvosReason) + (c.in_difference ? "; the rotating motion alone feels it" : "; both motions feel it");
+  return c;
+}
+std::optional<Candidate> ballistic(const Scene& scene) {
+  if (!travels(scene)) return std::nullopt;
+  const Model<double>& model = scene.problem_without_rows<double>().model;
+  Candidate c = field_part(scene, JourneyPart::field, [&model](double t) { return model.journey.at(JourneyPart::field, t); });
+  c.in_difference = false;
+  c.reason = std::string(kBallisticReason) + "; it acts in both predictions";
+  return c;
+}
+/// The Coriolis torque of the transport rate. What it does to the axis is not found: it belongs to the axes from which that is seen.
+std::optional<Candidate> transport(const Scene& scene) {
+  if (!travels(scene)) return std::nullopt;
+  const Model<double>& model = scene.problem_without_rows<double>().model;
+  Candidate c;
+  c.in_difference = false;
+  c.has_responses = false;
+  c.reason = std::string(kTransportReason) + "; it acts in both predictions";
+  c.torque = [&model](const FollowedStep& in_A) {
+    FollowedStep s = in_A;
+    see_rotating_from_journey(model, s, s.t);
+    return coriolis_size(s, LaboratoryNow<double>(model, s.t).w_EL_L, model.S_BP_B);
+  };
+  return c;
+}
 
 /// Wraps a size function to the type that the catalogue holds. @tparam size  function that returns a Candidate
 template <auto size>
@@ -278,7 +340,7 @@ const Effect kEffects[] = {
     {kCoriolis, "/effects/coriolis", [](const Scene& s) { return effects(s).coriolis; }, Listing::both, sized<coriolis>},
     {kCentrifugal, "/effects/centrifugal", [](const Scene& s) { return effects(s).centrifugal; }, Listing::both,
      sized<centrifugal>},
-    {.name = "transverse",
+    {.name = kTransverse,
      .key = "/effects/transverse",
      .is_modelled = [](const Scene& s) { return effects(s).transverse; },
      .is_zero = true,
@@ -292,24 +354,26 @@ const Effect kEffects[] = {
      .is_modelled = [](const Scene& s) { return s.scenario().platform.has_value(); },
      .modelled_unsized = "not sized, since it carries both predictions",
      .left_out_unsized = "left out; the pivot is at rest in the laboratory"},
-    {.name = "eotvos",
+    {.name = kEotvos,
      .key = "/travel",
-     .is_modelled = [](const Scene& s) { return travels(s) && s.scenario().travel->eotvos != TravelEotvos::off; },
+     .is_modelled = is_felt,
      .listing = Listing::where_modelled,
-     .modelled_unsized = "the Coriolis force on the laboratory, by which the plumb line aboard leans; for its drift run with "
-                         "/travel/eotvos \"both\"",
+     .size = eotvos,
+     .modelled_unsized = kEotvosReason,
      .torque = eotvos_torque},
-    {.name = "ballistic",
+    {.name = kBallistic,
      .key = "/travel",
      .is_modelled = travels,
      .listing = Listing::where_modelled,
-     .modelled_unsized = "the laboratory's acceleration over the Earth; it acts in both predictions",
+     .size = ballistic,
+     .modelled_unsized = kBallisticReason,
      .torque = ballistic_torque},
-    {.name = "transport",
+    {.name = kTransport,
      .key = "/travel",
      .is_modelled = travels,
      .listing = Listing::where_modelled,
-     .modelled_unsized = "East, North and Up turn with the place; not sized, since both predictions see it"},
+     .size = transport,
+     .modelled_unsized = kTransportReason},
     {.name = "gravity_gradient",
      .key = "/effects/gravity_gradient",
      .is_modelled = [](const Scene& s) { return effects(s).applied.gravity_gradient.has_value(); },

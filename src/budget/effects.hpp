@@ -16,7 +16,8 @@
 namespace earthtop {
 
 inline constexpr std::string_view kCoriolis = "coriolis", kCentrifugal = "centrifugal", kAxisPrecession = "axis_precession",
-                                  kRotorBearing = "rotor_bearing";
+                                  kRotorBearing = "rotor_bearing", kTransverse = "transverse", kTransport = "transport",
+                                  kEotvos = "eotvos", kBallistic = "ballistic";
 
 struct Effect;
 
@@ -25,6 +26,7 @@ struct Candidate {
   const Effect* effect = nullptr;
   bool assumed = false;       ///< its size is a typical one, not given by the scene
   bool in_difference = true;  ///< as in EffectEntry
+  bool has_responses = true;  ///< whether the input stands for it; else its torque alone is known
   std::string reason;         ///< why it is modelled or left out
   ProblemDerivative input;    ///< scaled so that responses are of order 1
   double size = 1;            ///< size of the effect in units of the input

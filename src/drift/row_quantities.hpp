@@ -456,6 +456,14 @@ constexpr void for_each_journey_quantity(const Visit& visit) {
   visit_one(
       [](auto& j) -> auto& { return j.speed_m_s; },
       Q{"speed", "_m_s", "horizontal speed of the travelling laboratory over the Earth", number, rotating, "speed_m_s"});
+  visit_one(
+      [](auto& j) -> auto& { return j.w_IL_L_rad_s; },
+      Q{"w_IL_L", "_rad_s", "rate of the travelling laboratory in inertial space, in laboratory axes", vector, rotating,
+        "w_IL_L_rad_s"});
+  visit_one(
+      [](auto& j) -> auto& { return j.G_L_m_s2; },
+      Q{"G_L", "_m_s2", "what takes the place of apparent gravity at the pivot of a travelling laboratory, in laboratory axes",
+        vector, rotating, "G_L_m_s2"});
 }
 
 using DriftQuantity = ValuedQuantity<DriftRow, ExtendedDriftRow>;

@@ -283,10 +283,35 @@ void Journey<T>::expand(JourneyPart part, const T& t, std::span<std::array<T, 3>
 }
 
 template <class T>
+T Journey<T>::largest_turning(const T& end) const {
+  T largest = T(0);
+  const std::vector<Piece>& pieces = data_->pieces;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const T length = std::max(T(0), T((i + 1 < pieces.size() ? pieces[i + 1].start : end) - pieces[i].start));
+    const Polynomial& c = pieces[i].parts[static_cast<std::size_t>(JourneyPart::course)];
+    T bound = T(0);
+    for (std::size_t k = c.size(); k-- > 1;) bound = length * bound + T(static_cast<int>(k)) * real::abs(c[k][0]);
+    largest = std::max(largest, bound);
+  }
+  return largest;
+}
+
+template <class T>
 std::vector<T> Journey<T>::joints() const {
   std::vector<T> times;
   for (std::size_t i = 1; i < data_->pieces.size(); ++i) times.push_back(data_->pieces[i].start);
   return times;
+}
+
+template <class T>
+Journey<T> Journey<T>::only(JourneyPart part) const {
+  Data alone = *data_;
+  for (Piece& p : alone.pieces)
+    for (std::size_t i = 0; i < kJourneyParts; ++i)
+      if (i != static_cast<std::size_t>(part)) p.parts[i].clear();
+  Journey made;
+  made.data_ = std::make_shared<const Data>(std::move(alone));
+  return made;
 }
 
 namespace {
@@ -328,18 +353,17 @@ Journey<T> Journey<T>::in_time_units(int time_exponent) const {
 }
 
 template <class T>
-JourneyPlace Journey<T>::place(const T& t) const {
+JourneyPlace<T> Journey<T>::place(const T& t) const {
   const Vec3<T> moved = at(JourneyPart::place, t), course = at(JourneyPart::course, t), v = at(JourneyPart::velocity_in_L, t);
-  const double radian = real::pi<double>() / 180;
-  JourneyPlace place{};
-  place.latitude_deg = static_cast<double>(T(T(data_->site.latitude_deg) + moved[0] * T(180) / real::pi<T>()));
-  place.longitude_deg = static_cast<double>(T(T(data_->site.longitude_deg) + moved[1] * T(180) / real::pi<T>()));
-  place.height_m = static_cast<double>(T(T(data_->site.height_m) + moved[2]));
-  place.course_deg = data_->from_table ? real::atan2(static_cast<double>(v[0]), static_cast<double>(v[1])) / radian
-                                       : data_->course_deg + static_cast<double>(course[0]) / radian;
-  place.course_deg = real::fmod(place.course_deg, 360.0);
-  if (place.course_deg < 0) place.course_deg += 360;
-  place.speed_m_s = static_cast<double>(course[1]), place.length_m = static_cast<double>(course[2]);
+  const T radian = real::pi<T>() / T(180);
+  JourneyPlace<T> place{};
+  place.latitude_deg = T(data_->site.latitude_deg) + moved[0] * T(180) / real::pi<T>();
+  place.longitude_deg = T(data_->site.longitude_deg) + moved[1] * T(180) / real::pi<T>();
+  place.height_m = T(data_->site.height_m) + moved[2];
+  place.course_deg = data_->from_table ? real::atan2(v[0], v[1]) / radian : T(data_->course_deg) + course[0] / radian;
+  place.course_deg = real::fmod(place.course_deg, T(360));
+  if (place.course_deg < T(0)) place.course_deg += T(360);
+  place.speed_m_s = course[1], place.length_m = course[2];
   return place;
 }
 

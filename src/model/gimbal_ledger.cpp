@@ -172,6 +172,7 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
   const Mat3<T> S_rate = J + J.transpose(), I_rate = S_rate.trace() * Mat3<T>::Identity() - S_rate;
   entry.tau_cor_inertia_A = -times(I_rate, X.w);
   entry.tau_cor_gyroscopic_A = Vec3<T>(J(1, 2) - J(2, 1), J(2, 0) - J(0, 2), J(0, 1) - J(1, 0)).cross(X.w);
+  if (observer != LedgerObserver::inertial) entry.tau_cor_transport_A = coriolis_torque(into_P(laboratory.w_EL_L), J);
   entry.tau_trans_A = transverse_torque(X.alpha, S);
   entry.tau_cent_A = centrifugal_torque(X.w, S);
   entry.dL_dt_A = dL;
@@ -189,7 +190,7 @@ LedgerEntry<T> ledger_entry_in_gimbals(LedgerObserver observer, const Model<T>& 
   entry.residual_A = entry.bearing_inner_A - on_body;
   for (Vec3<T>* v : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A,
                      &entry.residual_A, &entry.tau_cor_inertia_A, &entry.tau_cor_gyroscopic_A, &entry.bearing_outer_A,
-                     &entry.bearing_inner_A, &entry.share_A[0], &entry.share_A[1]})
+                     &entry.bearing_inner_A, &entry.tau_cor_transport_A, &entry.share_A[0], &entry.share_A[1]})
     *v = times(R_XP, *v) + Vec3<T>(Vec3<T>::Zero());
   entry.residual_A +=
       (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A + entry.bearing_outer_A) - entry.dL_dt_A;

@@ -32,6 +32,7 @@ struct ObservingFrame {
   Vec3<T> w_IA_A = Vec3<T>::Zero();
   Vec3<T> alpha_IA_A = Vec3<T>::Zero();
   Vec3<T> w_AB_B = Vec3<T>::Zero();
+  Vec3<T> w_EL_A = Vec3<T>::Zero();  ///< the share of w_IA that a journey makes
 };
 
 template <class T>
@@ -151,6 +152,7 @@ void count_torques(LedgerEntry<T>& entry, const Model<T>& model, const Observing
   const Vec3<T> momentum_A(J_A(1, 2) - J_A(2, 1), J_A(2, 0) - J_A(0, 2), J_A(0, 1) - J_A(1, 0));
   entry.tau_cor_inertia_A = -times(I_rate_A, A.w_IA_A);
   entry.tau_cor_gyroscopic_A = momentum_A.cross(A.w_IA_A);
+  entry.tau_cor_transport_A = coriolis_torque(A.w_EL_A, J_A);
   entry.tau_trans_A = transverse_torque(A.alpha_IA_A, S_BP_A);
   entry.tau_cent_A = centrifugal_torque(A.w_IA_A, S_BP_A);
   if (model.kind == SceneKind::plain) return;
@@ -195,7 +197,7 @@ Vec3<T> momentum_rate_A(const Model<T>& model, const ObservingFrame<T>& A, bool 
 template <class T>
 void close(LedgerEntry<T>& entry) {
   for (Vec3<T>* column : {&entry.tau_phys_A, &entry.tau_cor_A, &entry.tau_trans_A, &entry.tau_cent_A, &entry.dL_dt_A,
-                          &entry.tau_cor_inertia_A, &entry.tau_cor_gyroscopic_A})
+                          &entry.tau_cor_inertia_A, &entry.tau_cor_gyroscopic_A, &entry.tau_cor_transport_A})
     *column += Vec3<T>::Zero();
   entry.residual_A = (entry.tau_phys_A + entry.tau_cor_A + entry.tau_trans_A + entry.tau_cent_A) - entry.dL_dt_A;
 }
@@ -223,6 +225,7 @@ LedgerEntry<T> ledger_entry(LedgerObserver observer, const Model<T>& given, T t,
     case LedgerObserver::platform: A = platform_frame(model, laboratory, t, R_LB, w_LB_B); break;
     case LedgerObserver::body: A = body_frame(model, laboratory, q_LB, R_LB, w_LB_B, applied_B, rotor); break;
   }
+  if (observer != LedgerObserver::inertial) A.w_EL_A = transposed_times(A.R_LA, laboratory.w_EL_L);
   LedgerEntry<T> entry;
   if (model.kind != SceneKind::plain) {
     const auto shares_B = applied_shares_B(model, laboratory, t, q_LB, w_LB_B, applied_B);

@@ -15,6 +15,7 @@ NaturalUnits natural_units(const Body<double>& body, const Release<double>& rele
     const PrescribedMotion<double>& turn = platform->turn;
     fastest = std::max({fastest, std::abs(turn.rate), std::sqrt(std::abs(turn.acceleration)), 6.3 * std::abs(turn.frequency)});
     if (turn.table) fastest = std::max({fastest, turn.table->largest_rate(), std::sqrt(turn.table->largest_acceleration())});
+    if (turn.journey) fastest = std::max(fastest, turn.journey->turned(0, 1));
   }
   // Where next to nothing moves, gravity in longer units of time would be beyond a double.
   constexpr double kSlowest = 0x1p-300;  // rad/s

@@ -8,7 +8,7 @@
 namespace earthtop {
 
 template <class T>
-Platform<T> make_platform(const PlatformSpec& spec) {
+Platform<T> make_platform(const PlatformSpec& spec, const Journey<T>& journey) {
   Platform<T> platform;
   for (int i = 0; i < 3; ++i) {
     platform.turn.axis[i] = T(spec.axis[static_cast<std::size_t>(i)]);
@@ -30,11 +30,15 @@ Platform<T> make_platform(const PlatformSpec& spec) {
       if (!spec.table.rows) throw std::invalid_argument("platform motion \"table\": there is no table");
       platform.turn.table = std::make_shared<const AngleSpline<T>>(*spec.table.rows);
       break;
+    case PlatformMotion::course:
+      if (journey.empty()) throw std::invalid_argument("platform motion \"course\": there is no journey");
+      platform.turn.journey = std::make_shared<const Journey<T>>(journey);
+      break;
   }
   return platform;
 }
-template Platform<double> make_platform(const PlatformSpec&);
-template Platform<float80> make_platform(const PlatformSpec&);
-template Platform<float128> make_platform(const PlatformSpec&);
+template Platform<double> make_platform(const PlatformSpec&, const Journey<double>&);
+template Platform<float80> make_platform(const PlatformSpec&, const Journey<float80>&);
+template Platform<float128> make_platform(const PlatformSpec&, const Journey<float128>&);
 
 }  // namespace earthtop

@@ -55,7 +55,7 @@ Way way_of(const Scene& scene) {
   constexpr int kListed = 20;  // stretches of equal time
   for (int i = 0; i <= kListed; ++i) {
     const double t = duration_s * i / kListed;
-    const JourneyPlace at = journey.place(t);
+    const JourneyPlace<double> at = journey.place(t);
     way.listed.push_back({t, at.latitude_deg, at.longitude_deg, at.height_m, at.course_deg, at.speed_m_s});
   }
   return way;

@@ -26,6 +26,7 @@ bool has_table_friction(const Scene& scene) {
 bool has_parts(const Scene& scene) {
   return scene.scenario().rotor || scene.scenario().gimbals || masses_move(scene.scenario());
 }
+bool travels(const Scene& scene) { return scene.scenario().travel.has_value(); }
 bool has_gimbals(const Scene& scene) { return scene.scenario().gimbals.has_value(); }
 
 constexpr TorqueQuantity kTorques[] = {
@@ -74,11 +75,15 @@ constexpr TorqueQuantity kTorques[] = {
     torque(
         "bearing_inner", "torque of the outer gimbal on the body", "bearing_inner_N_m",
         [](const auto& r) { return r.bearing_inner_A; }, has_gimbals),
+    torque(
+        "tau_cor_transport",
+        "part of the Coriolis torque: the rate of East, North and Up over the Earth, which the journey makes",
+        "tau_cor_transport_N_m", [](const auto& r) { return r.tau_cor_transport_A; }, travels),
 };
 
 constexpr bool shares_are_in_order() {
   constexpr std::size_t kFirst =
-      std::size(kTorques) - 5 - kAppliedShares.size();  // those of a rotor, a table and gimbals are last
+      std::size(kTorques) - 6 - kAppliedShares.size();  // those of a rotor, a table, gimbals and a journey are last
   for (std::size_t i = 0; i < kAppliedShares.size(); ++i)
     if (kTorques[kFirst + i].stem.substr(4) != kAppliedShares[i]) return false;
   return true;

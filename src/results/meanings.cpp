@@ -239,6 +239,7 @@ constexpr std::array kPhrases = {
     Phrase("travel.false_north_end_rad", "azimuth at which a level compass settles, at the end"),
     Phrase("travel.wander_rad_s", "rate of a level free axis in azimuth, at the start"),
     Phrase("travel.transport_wander_rad_s", "the part of it that the journey makes"),
+    Phrase("travel.table_noise_m_s2", "acceleration that one unit in the last digit of the journey's table makes"),
     Phrase("travel.schuler_kappa", "Schuler's number of a pendulous compass"),
     Phrase("travel.schuler_period_s", "its undamped period"),
     Phrase("travel*", "figure of the journey"),

@@ -57,11 +57,14 @@ std::string beside_north(double rad) {
                       : fmt::format("{:.4g} deg {} of North", std::abs(degrees), degrees > 0 ? "East" : "West");
 }
 
+/// A longitude from -180 to 180 deg.
+double short_way(double longitude_deg) { return std::remainder(longitude_deg, 360.0); }
+
 void add_journey(const JourneyFigures& journey, Lines& lines) {
   constexpr double kDegrees = 180 / std::numbers::pi, kHour = 3600;
   lines.emplace_back("journey", fmt::format("{:.6g} km, to latitude {:.6f} deg, longitude {:.6f} deg, height {:.6g} m",
-                                            journey.length_m / 1000, journey.end_latitude_deg, journey.end_longitude_deg,
-                                            journey.end_height_m));
+                                            journey.length_m / 1000, journey.end_latitude_deg,
+                                            short_way(journey.end_longitude_deg), journey.end_height_m));
   std::string rate = fmt::format("East, North and Up turn over the Earth at up to {:.4g} rad/s", journey.transport_rate_rad_s);
   if (journey.transport_over_earth) rate += fmt::format(", {:.3g} times the Earth's rate", *journey.transport_over_earth);
   lines.emplace_back("transport rate", rate);
@@ -75,6 +78,9 @@ void add_journey(const JourneyFigures& journey, Lines& lines) {
                      fmt::format("a level free axis turns in azimuth by {:.4g} deg/h at the start, {:.4g} deg/h of it by the "
                                  "journey",
                                  journey.wander_rad_s * kDegrees * kHour, journey.transport_wander_rad_s * kDegrees * kHour));
+  if (journey.table_noise_m_s2)
+    lines.emplace_back("table", fmt::format("one unit in the last digit of its places is an acceleration of {:.2g} m/s^2",
+                                            *journey.table_noise_m_s2));
   if (journey.schuler_kappa)
     lines.emplace_back("Schuler",
                        fmt::format("kappa = {:.4g}, 1 for a compass that no change of speed deflects; undamped period "

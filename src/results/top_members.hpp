@@ -116,6 +116,8 @@ inline constexpr auto kTopMembers = [] {
           compared("travel.wander_rad_s", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->wander_rad_s; })),
       of_scenario(compared("travel.transport_wander_rad_s", derived, any, kAtEnd,
                            [](R r) { return r.scene.top().journey->transport_wander_rad_s; })),
+      of_scenario(compared("travel.table_noise_m_s2", derived, any, kAtEnd,
+                           [](R r) { return r.scene.top().journey->table_noise_m_s2; })),
       of_scenario(
           compared("travel.schuler_kappa", derived, any, kAtEnd, [](R r) { return r.scene.top().journey->schuler_kappa; })),
       of_scenario(compared("travel.schuler_period_s", derived, any, kAtEnd,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run/assessment.hpp"
 
+#include <cmath>
+
 #include "earthtop/model/gimbal_ledger.hpp"
 #include "earthtop/model/ledger.hpp"
 #include "earthtop/scenario/support.hpp"
@@ -29,11 +31,23 @@ bool is_without_gravity_about_outer_axis(const Scene& scene) {
   return tilt == 0 || tilt == 180 || is_balanced || scene.site().gravity_m_s2 == 0;
 }
 
+/// Whether a journey leads along a parallel, evenly: it is then another Earth that turns faster or slower, with its plumb line tilted.
+bool is_along_a_parallel(const TravelSpec& travel) {
+  const double course = std::abs(travel.course_deg);
+  return travel.path == TravelPath::rhumb && (course == 90 || course == 270) && travel.legs.empty();
+}
+
 PivotConditions conditions_of(const Scene& scene) {
   PivotConditions conditions;
   conditions.alone = scene.is_plain() || (scene.support().has_moving_parts() && !scene.scenario().platform &&
                                           !scene.scenario().travel && scene.scenario().effects.plain());
   const EffectsSpec& effects = scene.scenario().effects;
+  const SupportKind kind = scene.support().kind;
+  if (const auto& travel = scene.scenario().travel;
+      travel && effects.plain() && !scene.scenario().platform && (kind == SupportKind::journey || kind == SupportKind::rotor)) {
+    conditions.aboard = true;
+    conditions.alone = is_along_a_parallel(*travel);
+  }
   conditions.beside_support =
       scene.support().is_fixed_pivot && effects.all_on() && !effects.tide && effects.applied.support_alone();
   conditions.gimbals = scene.scenario().gimbals ? &*scene.scenario().gimbals : nullptr;
@@ -83,7 +97,7 @@ std::vector<LedgerRow<T>> ledger_rows(const Scene& scene, const std::vector<Basi
 
 std::vector<InvariantReport> assess_invariants(const RunResult& result, const Watch& watch) {
   const Scene& scene = result.modelled;
-  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor &&
+  if (!scene.is_plain() && !scene.support().has_moving_parts() && !scene.scenario().rotor && !scene.scenario().travel &&
       !scene.scenario().effects.applied.support_alone())
     return {};
   return result.extended_rows.empty() ? follow_invariants(scene, result.rows, watch)

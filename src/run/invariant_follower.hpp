@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "earthtop/model/conserved.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 #include "earthtop/real.hpp"
 #include "earthtop/run.hpp"
 #include "run/row_vectors.hpp"
@@ -67,11 +68,10 @@ InvariantReport followed_on_pivot(const ConservedQuantity<T>& quantity, const Mo
     const GimbalAngles<T> gimbals = row.gimbals ? gimbal_angles(*row.gimbals, rotating) : GimbalAngles<T>();
     const Model<T>& now = row.gimbals ? model : in_time.at(row.t_s);
     const MassSums<T>* masses = in_time.masses_at(row.t_s);
+    const LaboratoryOf<T> laboratory(now, row.t_s, rotating);
     follower.include(quantity.on_pivot(
-        rotating
-            ? InstantOnPivot<T>{now, now.W_IL_L, quaternion_of(row.q_LB), vector_of(row.w_LB_B), rate, gimbals, masses, row.t_s}
-            : InstantOnPivot<T>{now, Vec3<T>::Zero(), quaternion_of(row.ref_q_LB), vector_of(row.ref_w_LB_B), rate, gimbals,
-                                masses, row.t_s}));
+        InstantOnPivot<T>{now, laboratory.w_IL_L, laboratory.gravity_L, quaternion_of(rotating ? row.q_LB : row.ref_q_LB),
+                          vector_of(rotating ? row.w_LB_B : row.ref_w_LB_B), rate, gimbals, masses, row.t_s}));
   }
   return follower.report();
 }

@@ -5,6 +5,7 @@
 #include "drift/row_quantities.hpp"
 #include "earthtop/drift/drift.hpp"
 #include "earthtop/drift/drift_integration.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 #include "earthtop/scenario/support.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "run/cage_rows.hpp"
@@ -19,13 +20,13 @@ template <class T>
 struct RowParts {
   std::optional<ContactRows<T>> table;
   std::optional<CageRows<T>> cage;
-  Journey<double> journey = {};
+  std::optional<Model<T>> travelling = {};  ///< of a laboratory on a journey, in seconds
 
   explicit RowParts(std::optional<ContactRows<T>> rows_on_table) : table(std::move(rows_on_table)) {}
   RowParts(const Scene& scene, const std::vector<ContactEvent>& events) {
     if (scene.support().has_contact) table.emplace(scene.problem_without_rows<T>(), events);
     if (is_caged_top(scene.scenario())) cage.emplace(scene.scenario());
-    if (scene.scenario().travel) journey = scene.model<double>().journey;
+    if (scene.scenario().travel) travelling = scene.model<T>();
   }
 };
 
@@ -53,9 +54,11 @@ BasicDriftRow<T> make_row(const DriftSample<T>& sample, const DriftBound<T>& bou
   if (parts.cage) parts.cage->complete(row);
   if (sample.rotor) add_rotor_row(s, *sample.rotor, bound, row);
   if (sample.gimbals) add_gimbal_row(s, *sample.gimbals, bound, row);
-  if (!parts.journey.empty()) {
-    const JourneyPlace place = parts.journey.place(static_cast<double>(s.t_s));
-    row.journey = {T(place.latitude_deg), T(place.longitude_deg), T(place.height_m), T(place.course_deg), T(place.speed_m_s)};
+  if (parts.travelling) {
+    const JourneyPlace<T> place = parts.travelling->journey.place(s.t_s);
+    const LaboratoryNow<T> now(*parts.travelling, s.t_s);
+    row.journey = {place.latitude_deg, place.longitude_deg,  place.height_m,       place.course_deg,
+                   place.speed_m_s,    to_array(now.w_IL_L), to_array(now.field_L)};
   }
   return row;
 }

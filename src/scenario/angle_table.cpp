@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "earthtop/elementary.hpp"
 #include "earthtop/error.hpp"
 #include "earthtop/frames/angle_spline.hpp"
 #include "input/csv_text.hpp"
@@ -24,6 +26,20 @@ constexpr double kFastestTurn = 1e9;
 std::optional<double> finite_number(std::string_view cell) {
   const input::CellNumber number = input::cell_number(cell);
   return number.fits_a_double && std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
+}
+
+/// One unit of the last digit that a number is printed with: 0.01 for "-1.25", 100 for "12e2".
+double unit_of_last_digit(std::string_view number) {
+  const std::size_t exponent = number.find_first_of("eE"), point = number.find('.');
+  int power = 0;
+  if (exponent != std::string_view::npos) {
+    std::string_view digits = number.substr(exponent + 1);
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    std::from_chars(digits.data(), digits.data() + digits.size(), power);
+  }
+  const std::size_t end = std::min(exponent, number.find_last_not_of(' ') + 1);
+  if (point != std::string_view::npos) power -= static_cast<int>(end - point) - 1;
+  return real::pow(10.0, static_cast<double>(power));
 }
 
 /// Returns the beginning of a text in printable form, because a table may hold any bytes.
@@ -59,6 +75,11 @@ std::optional<std::string> read_row(std::string_view line, const TableKind& kind
   }
   for (std::size_t i = 0; i < tables.size(); ++i)
     tables[i].t_s.push_back(numbers[0]), tables[i].value.push_back(numbers[i + 1]);
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    const double unit = unit_of_last_digit(cells[i + 1]);
+    double& finest = tables[i].last_digit;
+    finest = finest == 0 ? unit : std::min(finest, unit);
+  }
   return std::nullopt;
 }
 

@@ -90,6 +90,17 @@ void warn_of_legs(const Section& travel, const TravelSpec& spec) {
   }
 }
 
+/// Warns of a table whose digits are too few for the accelerations that its spline makes of them.
+void warn_of_noise(const Section& travel, const TravelSpec& spec) {
+  constexpr double kNoisy = 1e-3;  // m/s^2
+  const double noise = noise_of_table_m_s2(spec);
+  if (!(noise > kNoisy)) return;
+  travel.warn("file",
+              fmt::format("an error of one unit in the last digit of its places is an acceleration of about {} m/s^2 between "
+                          "rows that are as near as these; give more digits, or rows that are farther apart",
+                          told_apart(noise, kNoisy, 2).first));
+}
+
 /// Checks the places of a table and the way from one to the next. @returns whether they can be travelled
 bool check_places(const Section& travel, const TravelSpec& spec) {
   constexpr std::size_t kLongestShownPath = 200;
@@ -163,6 +174,7 @@ std::optional<TravelSpec> decode_travel(const Section& root, const ScenarioSourc
   }
   if (!good) return std::nullopt;
   warn_of_legs(travel, spec);
+  warn_of_noise(travel, spec);
   if (spec.reference == TravelReference::at_rest && !leads_away(spec))
     travel.warn(
         "reference",
@@ -195,7 +207,26 @@ bool place_at_start(const Section& site, const TravelSpec& travel, Site& place) 
   return good;
 }
 
+namespace {
+
+/// Checks that a vehicle that turns with its course has one, and turns about Up.
+void check_vehicle(const Section& platform, const PlatformSpec& spec, const std::optional<TravelSpec>& travel) {
+  if (!travel || travel->path == TravelPath::table)
+    platform.refuse("motion",
+                    fmt::format("is \"course\", and {}",
+                                travel ? "a journey by a table has no course where it stands; give the angle as a table, "
+                                         "or the journey by its course"
+                                       : "there is no journey whose course the platform could turn with; give /travel, or "
+                                         "another motion"));
+  if (spec.axis[0] != 0 || spec.axis[1] != 0 || !(spec.axis[2] > 0))
+    platform.refuse("axis", "is not upright, and a vehicle turns with its course about Up; leave it out");
+}
+
+}  // namespace
+
 void check_beside_travel(const Section& root, const Scenario& scenario) {
+  if (scenario.platform && scenario.platform->motion == PlatformMotion::course && (scenario.travel || !root.has("travel")))
+    check_vehicle(root.section("platform"), *scenario.platform, scenario.travel);
   if (!root.has("travel")) return;
   const Section site = root.section("site"), effects = root.section("effects");
   const auto latitude = site.number("latitude_deg");

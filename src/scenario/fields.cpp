@@ -171,7 +171,8 @@ constexpr Field kOwnFields[] = {
      "the instant of release, YYYY-MM-DDThh:mm:ssZ, for which Moon, Sun and pole are looked up"},
 
     {"/platform", object, "", any(), "", "", "a platform that carries the pivot; none if left out"},
-    {"/platform/motion", word, "", any(), WordsOf<kMotionRules>::text, "", "kind of motion", kRequired},
+    {"/platform/motion", word, "", any(), WordsOf<kMotionRules>::text, "",
+     "kind of motion; course: a vehicle that turns with the course of /travel", kRequired},
     {"/platform/axis", vector3, "", kLengths, "", "[0, 0, 1]", "axis of rotation, in laboratory axes; any length but 0"},
     {"/platform/rate_rad_s", number, "rad/s", kRates, "", "0", "constant, ramp: rate at t = 0"},
     {"/platform/acceleration_rad_s2", number, "rad/s^2", kRates, "", "0", "ramp: angular acceleration"},

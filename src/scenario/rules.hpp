@@ -101,6 +101,7 @@ inline constexpr std::array kMotionRules = {
     MotionRule{"ramp", PlatformMotion::ramp, "acceleration_rad_s2", "rate_rad_s|acceleration_rad_s2"},
     MotionRule{"harmonic", PlatformMotion::harmonic, "amplitude_rad|frequency_hz", "amplitude_rad|frequency_hz|phase_deg"},
     MotionRule{"table", PlatformMotion::table, "file", "file|file_sha256"},
+    MotionRule{"course", PlatformMotion::course, "", ""},
 };
 
 /// The keys that the path of a journey must and may have.

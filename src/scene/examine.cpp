@@ -4,10 +4,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "earthtop/scenario/support.hpp"
 #include "earthtop/scene/scene.hpp"
 #include "scene/plausibility.hpp"
 #include "scene/support_laws.hpp"
+#include "text/number_words.hpp"
 
 namespace earthtop {
 namespace {
@@ -60,11 +65,29 @@ void check_cost(const Section& root, const Scene& scene) {
   }
 }
 
+/// Warns of a gravity that is given, and held over a journey on which that of the Earth changes.
+void warn_of_gravity(const Section& site, const Scene& scene) {
+  const Model<double>& model = scene.model<double>();
+  if (scene.scenario().travel->has_normal_gravity || model.mass_moment_B.isZero(0) || !site.has("gravity_m_s2")) return;
+  constexpr double kFar_deg = 1, kDegree = std::numbers::pi / 180;
+  constexpr int kLooks = 64;
+  double change_deg = 0;
+  for (int i = 1; i <= kLooks; ++i) {
+    const double t = scene.scenario().duration_s * i / kLooks;
+    change_deg = std::max(change_deg, std::abs(model.journey.at(JourneyPart::place, t)[0]) / kDegree);
+  }
+  if (change_deg > kFar_deg)
+    site.warn("gravity_m_s2",
+              fmt::format("holds along the whole journey, which leads {} deg to the North or South; leave it out for "
+                          "normal gravity, which changes with the latitude",
+                          told_apart(change_deg, kFar_deg, 3).first));
+}
+
 /// Checks that a journey can be made to its end. @returns whether that is so
 bool check_journey(const Section& root, const Scene& scene) {
   if (!scene.scenario().travel) return true;
   try {
-    scene.model<double>();
+    warn_of_gravity(root.section("site"), scene);
     return true;
   } catch (const ScenarioError& error) {
     for (const Diagnostic& diagnostic : error.diagnostics()) root.refuse_key("travel", diagnostic.message);

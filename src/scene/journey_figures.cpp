@@ -34,7 +34,7 @@ JourneyFigures journey_figures_of(const Scene& scene) {
   const Journey<double>& journey = model.journey;
   const double end = scene.scenario().duration_s;
   JourneyFigures figures;
-  const JourneyPlace last = journey.place(end);
+  const JourneyPlace<double> last = journey.place(end);
   figures.length_m = last.length_m;
   figures.end_latitude_deg = last.latitude_deg, figures.end_longitude_deg = last.longitude_deg;
   figures.end_height_m = last.height_m;
@@ -69,6 +69,7 @@ JourneyFigures journey_figures_of(const Scene& scene) {
   if (start_L[1] > 0) figures.false_north_start_rad = azimuth_of(start_L);
   if (end_L[1] > 0) figures.false_north_end_rad = azimuth_of(end_L);
   figures.wander_rad_s = start_L[2], figures.transport_wander_rad_s = start_L[2] - W0_L[2];
+  if (const double noise = noise_of_table_m_s2(*scene.scenario().travel); noise > 0) figures.table_noise_m_s2 = noise;
   add_schuler(scene, start_L, figures);
   return figures;
 }

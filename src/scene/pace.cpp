@@ -358,6 +358,7 @@ PlatformDemand demand_of(const Scene& scene) {
     alpha = turn.largest_acceleration();
     if (rate > 0) omega = alpha / rate;  // exact for a harmonic turn
   }
+  if (given->motion == PlatformMotion::course) rate = omega = journey.rate_rad_s, alpha = rate * rate;
   const auto& d = given->pivot_offset_m;
   const double offset = real::hypot(d[0], d[1], d[2]), turning = rate + std::abs(scene.rotation_rate_rad_s());
   return {std::max(rate, omega) + journey.rate_rad_s, (turning * turning + alpha) * offset + journey.acceleration_m_s2};

@@ -25,6 +25,13 @@ extern template Model<double> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float80> model_of(const Scene&, const NaturalUnits&);
 extern template Model<float128> model_of(const Scene&, const NaturalUnits&);
 /// The Cardan suspension of a scenario, which has one, in SI units.
+/// The platform of a scene that has one, in seconds.   @throws ScenarioError  where it turns with a journey that cannot be made
+template <class T>
+Platform<T> platform_of(const Scene& scene);
+extern template Platform<double> platform_of(const Scene&);
+extern template Platform<float80> platform_of(const Scene&);
+extern template Platform<float128> platform_of(const Scene&);
+
 template <class T>
 Gimbals<T> gimbals_of(const Scenario& scenario) {
   return make_gimbals<T>(*scenario.gimbals, *scenario.release.gimbals, scenario.moving_masses, scenario.rotor.has_value());

@@ -37,10 +37,19 @@ Journey<T> journey_of(const Scene& scene) {
   }
 }
 
+template <class T>
+Platform<T> platform_of(const Scene& scene) {
+  const PlatformSpec& platform = *scene.scenario().platform;
+  return make_platform<T>(platform, platform.motion == PlatformMotion::course ? journey_of<T>(scene) : Journey<T>());
+}
+template Platform<double> platform_of(const Scene&);
+template Platform<float80> platform_of(const Scene&);
+template Platform<float128> platform_of(const Scene&);
+
 /// Puts the laboratory on its journey: in axes that turn with the Earth, or at rest in inertial space where the reference stays.
 template <class T>
-void put_journey(Model<T>& model, const Scene& scene, const NaturalUnits& units) {
-  model.journey = journey_of<T>(scene).in_time_units(units.time_exponent);
+void put_journey(Model<T>& model, const Journey<T>& journey, const NaturalUnits& units) {
+  model.journey = journey.in_time_units(units.time_exponent);
   if (model.kind == SceneKind::plain) model.kind = SceneKind::full;
   if (!model.journey.has_still_reference()) return;
   model.epsilon = model.journey.epsilon();
@@ -48,10 +57,10 @@ void put_journey(Model<T>& model, const Scene& scene, const NaturalUnits& units)
 }
 
 NaturalUnits units_of(const Scene& scene) {
-  const auto& platform = scene.scenario().platform;
-  const Platform<double> made = platform ? make_platform<double>(*platform) : Platform<double>();
+  const bool on_platform = scene.scenario().platform.has_value();
+  const Platform<double> platform = on_platform ? platform_of<double>(scene) : Platform<double>();
   NaturalUnits units = natural_units(scene.body<double>(), scene.release<double>(), scene.site().gravity_m_s2,
-                                     scene.rotation_rate_rad_s(), platform ? &made : nullptr);
+                                     scene.rotation_rate_rad_s(), on_platform ? &platform : nullptr);
   laws_of(scene).fit_units(scene, units);
   return units;
 }
@@ -62,7 +71,8 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
   const EffectsSpec& effects = scenario.effects;
   const TorqueWeights<T> weights = weights_of<T>(effects);
   const bool on_platform = scenario.platform.has_value();
-  const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform) : Platform<T>();
+  const Journey<T> journey = scenario.travel ? journey_of<T>(scene) : Journey<T>();
+  const Platform<T> platform = on_platform ? make_platform<T>(*scenario.platform, journey) : Platform<T>();
   auto model = make_model<T>(scene.body<T>(), scene.site(), scene.rotation_rate_rad_s(), weights,
                              on_platform ? &platform : nullptr, units);
   // On a table the gradient of gravitation acts through the contact, with its force.
@@ -76,7 +86,7 @@ Model<T> model_of(const Scene& scene, const NaturalUnits& units) {
     model.tide = tide_series<T>(scene).scaled(units.time_exponent);
     model.kind = SceneKind::full;
   }
-  if (scenario.travel) put_journey(model, scene, units);
+  if (scenario.travel) put_journey(model, journey, units);
   if (!scene.support().has_moving_parts()) return model;
   if (scenario.rotor) put_rotor(model, make_rotor<T>(*scenario.rotor), units);
   put_masses(model, scenario.moving_masses, units);

@@ -46,7 +46,7 @@ template <class T>
 Release<T> release_in_gimbals(const Scene& scene) {
   const Scenario& scenario = scene.scenario();
   const Gimbals<T> gimbals = gimbals_of<T>(scenario);
-  const Platform<T> platform = scenario.platform ? make_platform<T>(*scenario.platform) : Platform<T>();
+  const Platform<T> platform = scenario.platform ? platform_of<T>(scene) : Platform<T>();
   const SinCos<T> half = real::sin_cos(T(platform.turn.angle(T(0)) / T(2)));
   const GimbalAngles<T>& angles = gimbals.release;
   Release<T> release;

@@ -413,9 +413,10 @@ std::optional<Common> common_in(const Study& study, const std::vector<fs::path>&
 void require_own_identity(Store& store, const fs::path& file) {
   if (store.sha256() == study_sha256(store.study())) return;
   const std::string build = store.build();
-  refuse_file(file, fmt::format("holds points of a study that its description does not give to this version of earthtop{}; merge "
-                                "it with the version that computed it, or run the study again",
-                                build.empty() ? "" : fmt::format(" (they were computed by {})", printable(build))));
+  refuse_file(file,
+              fmt::format("holds points of a study that its description does not give to this version of earthtop{}; merge "
+                          "it with the version that computed it, or run the study again",
+                          build.empty() ? "" : fmt::format(" (they were computed by {})", printable(build))));
 }
 
 /// The design of one of the stores that has the points of all; or the grid of all values.

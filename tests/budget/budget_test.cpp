@@ -22,6 +22,7 @@
 #include "support/effect_scenes.hpp"
 #include "support/rotor_scenes.hpp"
 #include "support/tolerances.hpp"
+#include "support/travel_scenes.hpp"
 
 namespace earthtop {
 namespace {
@@ -238,6 +239,95 @@ TEST(Budget, IsForAFixedPivot) {
           "effects are sized only for a top on a fixed pivot; to see what an effect does on a table, run the scenario with "
           "and without it");
     }
+}
+
+/// A top on a journey in which the laboratory gathers speed.
+Scenario aboard() {
+  Scenario s = toy_top();
+  s.duration_s = 1, s.output_step_s = 0.005;
+  s.site.latitude_deg = 40;
+  s.travel = testing::sailing(TravelPath::rhumb, 30, 10);
+  s.travel->legs = {{1, 10.01, 0, 0}};
+  return s;
+}
+Vec3<double> axis(const std::array<double, 3>& n) { return {n[0], n[1], n[2]}; }
+
+constexpr double kOfVariations = 1e-6;  // a thousand times the tolerance of the variations
+
+/// The Coriolis force on the laboratory against runs in which the reference feels it, too; its acceleration against a run without it.
+TEST(Budget, OfAJourneySizesItsPartsApart) {
+  constexpr double kFirstOrder = 2e-3, kTwoWays = 1e-9;
+  constexpr double kBetweenRows = 1e-3;  // the largest of a cosine between 200 rows, and of rates that nutate
+  Scenario s = aboard();
+  s.ledger = LedgerObserver::laboratory;
+  const Budget budget = effect_budget(resolve(s));
+  const RunResult rotating = run(s);
+  const EffectEntry &eotvos = entry_of(budget, "eotvos"), &ballistic = entry_of(budget, "ballistic"),
+                    &transport = entry_of(budget, "transport");
+
+  Scenario other = s;
+  other.travel->eotvos = TravelEotvos::both;
+  const RunResult both = run(other);
+  const auto drift = [](const DriftRow& row) { return Vec3<double>(axis(row.axis_L) - axis(row.ref_axis_L)); };
+  const double of_eotvos = norm(Vec3<double>(drift(rotating.rows.back()) - drift(both.rows.back())));
+  ASSERT_GT(of_eotvos, 0.5 * norm(drift(rotating.rows.back())));
+  EXPECT_TRUE(eotvos.in_difference);
+  EXPECT_NEAR(*eotvos.drift_final_rad, of_eotvos, kFirstOrder * of_eotvos);
+  EXPECT_NEAR(budget.earth_drift_rad, rotating.drift.axis_final_rad, kOfVariations * budget.earth_drift_rad);
+  EXPECT_FALSE(entry_of(effect_budget(resolve(other)), "eotvos").in_difference);
+
+  other = s;
+  other.travel->legs.clear();
+  const RunResult steady = run(other);
+  double of_speeding = 0;
+  for (std::size_t i = 0; i < steady.rows.size(); ++i)
+    of_speeding =
+        std::max(of_speeding, norm(Vec3<double>(axis(rotating.rows[i].ref_axis_L) - axis(steady.rows[i].ref_axis_L))));
+  const double of_way = *entry_of(effect_budget(resolve(other)), "ballistic").displacement_rad;
+  ASSERT_GT(of_speeding, 100 * of_way);
+  EXPECT_FALSE(ballistic.in_difference);
+  EXPECT_NEAR(*ballistic.displacement_rad, of_speeding, 0.02 * of_speeding);  // of rows, and of the second order
+
+  EXPECT_FALSE(transport.displacement_rad || transport.drift_rad);
+  double largest = 0;
+  for (const auto& entry : rotating.ledger->entries) largest = std::max(largest, norm(axis(entry.tau_cor_transport_A)));
+  const double first = norm(axis(rotating.ledger->entries[0].tau_cor_transport_A));
+  EXPECT_NEAR(*transport.torque_release_N_m, first, kTwoWays * first);
+  EXPECT_NEAR(*transport.torque_largest_N_m, largest, kBetweenRows * largest);
+  // m r x 2 v x W, with W in East, North, Up
+  const double phi = 40 * std::numbers::pi / 180, course = 30 * std::numbers::pi / 180, W = s.rotation_rate_rad_s;
+  const Vec3<double> felt = 2 * Vec3<double>(10 * std::sin(course), 10 * std::cos(course), 0)
+                                    .cross(Vec3<double>(0, W * std::cos(phi), W * std::sin(phi)));
+  const Body<double> body = resolve(s).body<double>();
+  const double torque = body.mass * norm(Vec3<double>((body.p_PBcm_B.norm() * axis(rotating.rows[0].axis_L)).cross(felt)));
+  EXPECT_NEAR(*eotvos.torque_release_N_m, torque, kTwoWays * torque);
+}
+
+/// Against a laboratory that stays the budget has torques, and the drift of the journey.
+TEST(Budget, AgainstALaboratoryAtRestHasTorquesAndTheDriftOfTheJourney) {
+  constexpr double kTwoWays = 1e-9;
+  Scenario s = aboard();
+  s.travel->reference = TravelReference::at_rest;
+  s.ledger = LedgerObserver::laboratory;
+  const Budget budget = effect_budget(resolve(s));
+  const RunResult result = run(s);
+  EXPECT_NEAR(budget.earth_drift_rad, result.drift.axis_final_rad, kOfVariations * result.drift.axis_final_rad);
+  const auto first = [&](const auto& torque) { return norm(axis(torque)); };
+  const auto& entry = result.ledger->entries[0];
+  const auto expect = [&](const char* name, double torque, bool in_difference) {
+    const EffectEntry& made = entry_of(budget, name);
+    EXPECT_NEAR(made.torque_release_N_m.value_or(0), torque, kTwoWays * torque) << name;
+    EXPECT_GE(made.torque_largest_N_m.value_or(0), torque * (1 - kTwoWays)) << name;
+    EXPECT_EQ(made.in_difference, in_difference) << name;
+    EXPECT_FALSE(made.drift_rad) << name;
+  };
+  expect("coriolis", first(entry.tau_cor_A), false);
+  expect("transport", first(entry.tau_cor_transport_A), true);
+  expect("transverse", first(entry.tau_trans_A), true);
+  expect("centrifugal", first(entry.tau_cent_A), false);
+  EXPECT_GT(*entry_of(budget, "ballistic").torque_largest_N_m, 1e-5);  // 0.1 kg, 0.03 m, 0.02 m/s^2
+  EXPECT_GT(*entry_of(budget, "eotvos").torque_release_N_m, 1e-6);
+  EXPECT_NE(budget.inputs_unavailable.find("/report/sensitivities"), std::string::npos);
 }
 
 }  // namespace

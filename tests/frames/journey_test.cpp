@@ -113,7 +113,7 @@ void expect_as_by_force(const Scenario& scenario) {
     EXPECT_LT(far(model.journey.at(JourneyPart::rate, t), reference.w, rate), kLeft) << share;
     const Vec3<float128> reference_slope = at_rest ? Vec3<float128>(Vec3<float128>::Zero()) : reference.alpha;
     EXPECT_LT(far(model.journey.at(JourneyPart::rate_slope, t), reference_slope, slope), kLeft) << share;
-    const JourneyPlace place = scene.model<double>().journey.place(share * scenario.duration_s);
+    const JourneyPlace<double> place = scene.model<double>().journey.place(share * scenario.duration_s);
     const double degree = real::pi<double>() / 180;
     EXPECT_NEAR(place.latitude_deg, static_cast<double>(at.latitude.value) / degree, rounding(400 * 90));
     EXPECT_NEAR(place.longitude_deg, static_cast<double>(at.longitude.value) / degree, rounding(400 * 180));

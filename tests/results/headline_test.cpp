@@ -104,7 +104,7 @@ TEST(Headline, EveryQuantityIsAColumnOrAFigureOfTheSummary) {
     on_table.contact->events.resize(4, on_table.contact->events.back());
     const auto names = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
     const bool of_journey = names("latitude") || names("longitude") || names("height") || names("course") ||
-                            names("speed_m_s") || word.starts_with("travel.");
+                            names("speed_m_s") || names("w_IL_L") || names("G_L_") || word.starts_with("travel.");
     RunResult made = of_journey       ? test::made_up_journey_run()
                      : names("rotor") ? test::made_up_rotor_run()
                      : names("outer_angle") || names("outer_rate") || names("inner_angle") || names("inner_rate")

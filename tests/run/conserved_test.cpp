@@ -11,7 +11,9 @@
 #include "scenario/quantities.hpp"
 #include "support/contact_references.hpp"
 #include "support/contact_scenario.hpp"
+#include "support/rotor_scenes.hpp"
 #include "support/scenes.hpp"
+#include "support/travel_scenes.hpp"
 
 namespace earthtop::conserved_run {
 namespace {
@@ -36,6 +38,35 @@ TEST(Conserved, OnAPivot) {
   Scenario braked = testing::toy_top();
   braked.effects.applied.viscous_N_m_s = 1e-8;
   EXPECT_EQ(reported(braked), Names{});
+}
+
+/// Aboard, the spin of a symmetric top is kept on any journey, and the Jacobi integrals where the laboratory turns evenly: on a parallel. The
+/// rate of East, North and Up by the journey is a part of all of them, 1e-7 of the Jacobi integral.
+TEST(Conserved, OnAJourney) {
+  const std::string jacobi = "jacobi_integral J", energy = "reference_energy J", spin = "inertial_spin rad/s",
+                    rotor = "rotor_momentum kg m^2/s";
+  for (const TravelReference reference : {TravelReference::same_path, TravelReference::at_rest}) {
+    const auto aboard = [&](Scenario s, TravelPath path, double course_deg) {
+      s.site.latitude_deg = 50;
+      s.travel = testing::sailing(path, course_deg, 2500);
+      s.travel->reference = reference;
+      return s;
+    };
+    for (const double course_deg : {90.0, -90.0})
+      EXPECT_EQ(reported(aboard(testing::toy_top(), TravelPath::rhumb, course_deg)), (Names{jacobi, energy, spin}));
+    EXPECT_EQ(reported(aboard(testing::toy_top(), TravelPath::rhumb, 30)), Names{spin});
+    EXPECT_EQ(reported(aboard(testing::toy_top(), TravelPath::geodesic, 90)), Names{spin});
+    EXPECT_EQ(reported(aboard(testing::asymmetric_top(), TravelPath::rhumb, 270)), (Names{jacobi, energy}));
+    EXPECT_EQ(reported(aboard(testing::asymmetric_top(), TravelPath::rhumb, 30)), Names{});
+    EXPECT_EQ(reported(aboard(testing::caged_gyroscope(), TravelPath::rhumb, 30)), Names{rotor});
+    EXPECT_EQ(reported(aboard(testing::caged_gyroscope(), TravelPath::rhumb, 90)), (Names{jacobi, energy, rotor}));
+    Scenario speeding = aboard(testing::toy_top(), TravelPath::rhumb, 90);
+    speeding.travel->legs = {{0.5, 2501, 0, 0}};
+    EXPECT_EQ(reported(speeding), Names{spin});
+    Scenario braked = aboard(testing::toy_top(), TravelPath::rhumb, 90);
+    braked.effects.applied.viscous_N_m_s = 1e-8;
+    EXPECT_EQ(reported(braked), Names{});
+  }
 }
 
 TEST(Conserved, OnATable) {

@@ -26,9 +26,11 @@ constexpr double kSmall = 1e-7;
 
 /// Tops and a suspension on a journey with a turn, a climb and a change of speed.
 std::vector<Scenario> voyages() {
-  std::vector<Scenario> all{testing::toy_top(), testing::asymmetric_top(), testing::foucault_gyroscope(), testing::toy_top()};
+  std::vector<Scenario> all{testing::toy_top(), testing::asymmetric_top(), testing::foucault_gyroscope(), testing::toy_top(),
+                            testing::toy_top()};
   all[1].release.rates_relative_to = RatesRelativeTo::inertial;
   all[3].platform = PlatformSpec{PlatformMotion::harmonic, {1, 1, 0.2}, 0, 0, 0.1, 0.7, 20, {0.1, -0.2, 0.3}};
+  all[4].platform = PlatformSpec{PlatformMotion::course, {0, 0, 2}, 0, 0, 0, 0, 0, {0.1, -0.2, 0.3}};
   for (Scenario& s : all) {
     s.site.latitude_deg = -41, s.site.height_m = 900;
     s.duration_s = 0.5, s.output_step_s = 0.1;
@@ -99,6 +101,7 @@ TEST(Travel, AtSpeedZeroIsALaboratoryAtRest) {
     s.travel->speed_m_s = 0, s.travel->legs.clear();
     const RunResult moving = run(s);
     s.travel.reset();
+    if (s.platform && s.platform->motion == PlatformMotion::course) s.platform->motion = PlatformMotion::constant;
     const RunResult still = run(s);
     ASSERT_EQ(moving.rows.size(), still.rows.size());
     for (std::size_t i = 0; i < still.rows.size(); ++i) {
@@ -177,7 +180,7 @@ TEST(Travel, ObserversAndMethodsAgreeWithinTheirBounds) {
 /// In the axes of each observer the torques sum up to the rate of the momentum, and the transverse torque of the laboratory's observer is
 /// that of the journey, -Theta alpha_IL.
 TEST(TravelLedger, ClosesAndHasTheTransverseTorqueOfTheJourney) {
-  for (Scenario s : {voyages()[0], voyages()[1], voyages()[3]})
+  for (Scenario s : {voyages()[0], voyages()[1], voyages()[3], voyages()[4]})
     for (const TravelReference reference : {TravelReference::same_path, TravelReference::at_rest})
       for (const LedgerObserver observer :
            {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::platform, LedgerObserver::body}) {
@@ -206,6 +209,62 @@ TEST(TravelLedger, ClosesAndHasTheTransverseTorqueOfTheJourney) {
       }
 }
 
+/// A vehicle has turned, clockwise from above, by what its course has changed, by a leg and by the path of a geodesic.
+TEST(TravelPlatform, TurnsWithTheCourse) {
+  Scenario s = voyages()[4];
+  s.travel->speed_m_s = 2000, s.travel->legs[1].turn_deg = 70, s.travel->legs[1].speed_m_s.reset();
+  const Scene scene(s);
+  const PrescribedMotion<float128>& turn = scene.model<float128>().platform.turn;
+  const testing::TravellingByForce force(s);
+  const auto course = [&](double t_s) { return t_s == 0 ? force.start()[2] : force.way_at(t_s)[2]; };
+  EXPECT_EQ(turn.angle(0), 0);
+  constexpr double kStep_s =
+      1e-5;  // the quotients err by its square times a sixth of the third derivative, and a twelfth of the fourth
+  for (const double t_s : {0.07, 0.13, 0.19, 0.4}) {
+    const float128 turned = course(0) - course(t_s);
+    EXPECT_NEAR(static_cast<double>(turn.angle(t_s) - turned), 0, 1e-22) << t_s;  // as the force's integration of the path
+    // The derivatives against quotients, which err by the step's square.
+    const float128 before = course(t_s - kStep_s), after = course(t_s + kStep_s);
+    const double rate = static_cast<double>(turn.angle_rate(t_s)),
+                 acceleration = static_cast<double>(turn.angle_acceleration(t_s));
+    EXPECT_NEAR(rate, static_cast<double>((before - after) / (2 * kStep_s)), 4e3 * kStep_s * kStep_s) << t_s;
+    EXPECT_NEAR(acceleration, static_cast<double>((2 * course(t_s) - before - after) / (kStep_s * kStep_s)),
+                1e5 * kStep_s * kStep_s)
+        << t_s;
+    EXPECT_LE(std::abs(rate), static_cast<double>(turn.largest_rate(s.duration_s)));
+    if (t_s > 0.1 && t_s < 0.25) {
+      EXPECT_GT(std::abs(rate), 1) << t_s;
+    }
+  }
+}
+
+/// The transport rate's part is all of the Coriolis torque where the Earth stands still, and the rest is linear in the Earth's rate.
+TEST(TravelLedger, TellsTheTransportRatesPartOfTheCoriolisTorque) {
+  for (Scenario s : {voyages()[0], voyages()[2], voyages()[4]})
+    for (const LedgerObserver observer : {LedgerObserver::laboratory, LedgerObserver::inertial}) {
+      s.ledger = observer;
+      s.platform.reset();
+      s.rotation_rate_rad_s = 0;
+      const auto still = run(s).ledger->entries;
+      s.rotation_rate_rad_s = kEarthRateWgs84;
+      const auto turning = run(s).ledger->entries;
+      const auto length = [](const std::array<double, 3>& v) { return real::hypot(v[0], v[1], v[2]); };
+      for (std::size_t j = 0; j < 3; ++j) {
+        for (const auto& entry : still)
+          EXPECT_NEAR(entry.tau_cor_transport_A[j], entry.tau_cor_A[j], rounding(40) * std::abs(entry.tau_cor_A[j]));
+        // At the release both have the same attitude and rates.
+        EXPECT_NEAR(turning[0].tau_cor_transport_A[j], still[0].tau_cor_A[j], rounding(40) * length(still[0].tau_cor_A));
+      }
+      const double size = length(turning.back().tau_cor_transport_A), all = length(turning.back().tau_cor_A);
+      if (observer == LedgerObserver::inertial) {
+        EXPECT_EQ(size, 0);
+      } else {
+        EXPECT_GT(size, 0.01 * all);
+        EXPECT_LT(size, all);
+      }
+    }
+}
+
 TEST(TravelLedger, OfASuspensionCloses) {
   Scenario s = voyages()[2];
   for (const LedgerObserver observer : {LedgerObserver::inertial, LedgerObserver::laboratory, LedgerObserver::body}) {
@@ -223,7 +282,10 @@ TEST(TravelResults, RowsAndSummarySayWhereItIs) {
   const RunResult result = run(s);
   const std::string csv = trajectory_csv(result);
   const std::string header = csv.substr(0, csv.find('\n'));
-  EXPECT_TRUE(header.ends_with(",latitude_deg,longitude_deg,height_m,course_deg,speed_m_s")) << header;
+  EXPECT_TRUE(
+      header.ends_with(",latitude_deg,longitude_deg,height_m,course_deg,speed_m_s,w_IL_L_x_rad_s,w_IL_L_y_rad_s,"
+                       "w_IL_L_z_rad_s,G_L_x_m_s2,G_L_y_m_s2,G_L_z_m_s2"))
+      << header;
   const testing::TravellingByForce force(s);
   for (const DriftRow& row : result.rows) {
     ASSERT_TRUE(row.journey);
@@ -234,6 +296,15 @@ TEST(TravelResults, RowsAndSummarySayWhereItIs) {
     EXPECT_NEAR(row.journey->longitude_deg, static_cast<double>(way[1]) * kDegrees, rounding(400 * 1));
     EXPECT_NEAR(row.journey->course_deg, static_cast<double>(way[2]) * kDegrees, rounding(400 * 130));
     EXPECT_NEAR(row.journey->height_m, static_cast<double>(place.height.value), rounding(4 * 900));
+    const auto laboratory = force.both(place, row.t_s)[0];
+    constexpr double kSeries = 1e-12;  // some hundred roundings, of derivatives of series
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      EXPECT_NEAR(row.journey->w_IL_L_rad_s[at], static_cast<double>(laboratory.w[i]),
+                  kSeries * static_cast<double>(norm(laboratory.w)));
+      EXPECT_NEAR(row.journey->G_L_m_s2[at], static_cast<double>(laboratory.felt[i]),
+                  kSeries * static_cast<double>(norm(laboratory.felt)));
+    }
   }
   EXPECT_EQ(result.rows.back().journey->speed_m_s, 59.5);
   const nlohmann::json travel = testing::parse_json(summary_json(result)).at("travel");

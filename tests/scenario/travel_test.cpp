@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <numbers>
 #include <random>
 
 #include "earthtop/frames/site.hpp"
@@ -277,6 +278,15 @@ const testing::Refusal kRefusals[] = {
     {{{"/travel", kSailing}, {"/effects/coulomb_torque_N_m", "1e-6"}},
      "/effects/coulomb_torque_N_m",
      "dry friction that brings a motion to rest is not modelled aboard"},
+    {{{"/platform", R"({"motion": "course"})"}},
+     "/platform/motion",
+     "is \"course\", and there is no journey whose course the platform could turn with"},
+    {{{"/travel", kSailing}, {"/platform", R"({"motion": "course", "axis": [0, 0.1, 1]})"}},
+     "/platform/axis",
+     "a vehicle turns with its course about Up; leave it out"},
+    {{{"/travel", kSailing}, {"/platform", R"({"motion": "course", "rate_rad_s": 1})"}},
+     "/platform/rate_rad_s",
+     "does not belong to \"course\" motion"},
     {{{"/travel", kSailing}, {"/effects", "auto"}, {"/accuracy/drift_rad", "1e-9"}},
      "/effects",
      "sizes effects for a laboratory at rest"},
@@ -333,6 +343,67 @@ TEST(Travel, LegsThatNoVehicleFollowsAreWarnedOf) {
   EXPECT_NE(
       warnings(sailing(R"("legs": [{"duration_s": 1, "speed_kn": 0}])")).find("/travel/legs/0/speed_kn: from 10 to 0 m/s"),
       std::string::npos);
+}
+
+/// White noise of sigma in rows that are D apart is an acceleration of 6 sigma/D^2: 1 m at 1 s is 6 m/s^2.
+TEST_F(Voyage, TheNoiseOfItsDigitsIsKnown) {
+  constexpr double kRounding = 1e-12;
+  constexpr double kMetresADegree = kEquatorialRadiusWgs84 * std::numbers::pi / 180;
+  const auto expect = [&](const std::string& rows, double expected) {
+    EXPECT_NEAR(noise_of_table_m_s2(*read(rows, "{}").travel), expected, kRounding * expected) << rows;
+  };
+  expect("0,45,10,100\n1,45,10,101\n2,45,10,105\n60,45,10,100\n", 6);
+  expect("0,45,10,100\n1,45,10,101.5\n2,45,10,105\n60,45,10,100\n", 0.6);
+  expect("0,45,10,1e2\n2,45,10,1.01e2\n4,45,10,1.05E+2\n60,45,10,100\n", 6 / 4.0);
+  expect("0,45,10,1.000e2\n2,45,10,101\n4,45,10,105\n60,45,10,100\n", 0.1 * 6 / 4);
+  expect("0,45,10,0\n20,45.001,10,0\n40,45.0021,10,0\n60,45.003,10,0\n", 6 * 1e-4 * kMetresADegree / 400);
+  expect("0,60,10,0\n20,60,10.001,0\n40,60,10.002,0\n60,60,10.003,0\n",
+         6 * 1e-3 * kMetresADegree * std::cos(std::numbers::pi / 3) / 400);
+  expect("0,45,10,0\n1,45,10,0\n2,45,10,0\n60,45,10,0\n", 0);
+  EXPECT_EQ(noise_of_table_m_s2(*travelling(kSailing).travel), 0);
+}
+
+TEST_F(Voyage, ATableOfTooFewDigitsIsWarnedOf) {
+  const auto warned = [&](const std::string& rows) {
+    std::string all;
+    for (const Diagnostic& warning : examine_scenario(source(rows), {{"/travel", kByTable}, {"/site", "{}"}}).warnings)
+      all += warning.pointer + ": " + warning.message + '\n';
+    return all;
+  };
+  EXPECT_NE(warned("0,45,10,100\n1,45,10,101\n2,45,10,105\n60,45,10,100\n")
+                .find("/travel/file: an error of one unit in the last digit of its places is an acceleration of about 6 m/s^2"),
+            std::string::npos);
+  EXPECT_NE(warned("0,45,10,0\n77,45,10,1\n154,45,10,0\n231,45,10,0\n").find("about 0.00101 m/s^2"), std::string::npos);
+  EXPECT_EQ(warned("0,45,10,0\n78,45,10,1\n156,45,10,0\n234,45,10,0\n"), "");
+}
+
+TEST_F(Voyage, HasNoCourseForAVehicleToTurnWith) {
+  testing::expect_refused(source(kRows), {{{"/travel", kByTable}, {"/site", "{}"}, {"/platform", R"({"motion": "course"})"}},
+                                          "/platform/motion",
+                                          "a journey by a table has no course where it stands; give the angle as a table"});
+}
+
+TEST(Travel, AGivenGravityThatHoldsFarIsWarnedOf) {
+  const auto said = [](const char* course_deg, const char* gravity, const char* duration_s) {
+    std::string all;
+    for (const Diagnostic& warning :
+         examine_scenario({"minimal.json", kMinimal},
+                          {{"/travel", fmt::format(R"({{"path": "rhumb", "course_deg": {}, "speed_m_s": 1000}})", course_deg)},
+                           {"/site", fmt::format(R"({{"latitude_deg": 45{}}})", gravity)},
+                           {"/motion/duration_s", duration_s},
+                           {"/motion/output_step_s", "10"}})
+             .warnings)
+      all += warning.pointer + ": " + warning.message + '\n';
+    return all;
+  };
+  constexpr const char* kGravity = R"(, "gravity_m_s2": 9.81)";
+  // One degree of the meridian has 111,130 m there.
+  EXPECT_NE(said("0", kGravity, "112").find("/site/gravity_m_s2: holds along the whole journey, which leads 1.01 deg"),
+            std::string::npos);
+  EXPECT_NE(said("180", kGravity, "500").find("which leads 4.5 deg"), std::string::npos);
+  EXPECT_EQ(said("0", kGravity, "110"), "");
+  EXPECT_EQ(said("90", kGravity, "500"), "");
+  EXPECT_EQ(said("0", "", "500"), "");
 }
 
 TEST(Travel, AJourneyThatLeadsNowhereIsWarnedOf) {

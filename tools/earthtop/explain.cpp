@@ -17,6 +17,7 @@
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "progress_line.hpp"
+#include "results/compared_words.hpp"
 #include "scenario_operand.hpp"
 #include "screen.hpp"
 #include "text/number_words.hpp"
@@ -102,8 +103,8 @@ std::string explained(const Budget& budget, const Scene& scene, std::size_t widt
       std::isfinite(budget.earth_drift_rad) ? fmt::format("about {:.3e} rad", budget.earth_drift_rad) : "not known";
   const auto paragraph = [&](const std::string& sentence) { return wrapped(sentence, width, 2) + '\n'; };
   std::string text = scenario.name + '\n' +
-                     paragraph(fmt::format("Drift by the Earth's rotation after {}: {}; {}", time_text(scenario.duration_s),
-                                           drift, matching_rule(scenario)));
+                     paragraph(fmt::format("Drift by {} after {}: {}; {}", compared_words(scenario).cause,
+                                           time_text(scenario.duration_s), drift, matching_rule(scenario)));
   text += rotor_equations_text(scene, width);
   text += '\n' + effects_text(budget, width) + '\n' + inputs_text(budget, width);
   if (std::isfinite(budget.earth_drift_rad) && budget.followed_s < scenario.duration_s * (1 - 1e-9))

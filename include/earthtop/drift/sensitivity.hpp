@@ -47,6 +47,7 @@ struct ProblemDerivative {
   PlatformDerivative platform;
   AppliedTorques<double> applied;
   TideSeries<double> tide;
+  Journey<double> journey;  ///< parts of a journey, of one kind with the problem's
   TableDerivative table;
 };
 

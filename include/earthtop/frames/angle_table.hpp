@@ -12,6 +12,7 @@ namespace earthtop {
 struct AngleTable {
   std::vector<double> t_s;    ///< strictly ascending; at least four
   std::vector<double> value;  ///< one for each time
+  double last_digit = 0;      ///< the smallest unit of a last digit printed in the file; 0 if there is no file
   bool operator==(const AngleTable&) const = default;
 };
 

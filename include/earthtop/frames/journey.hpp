@@ -56,11 +56,12 @@ class JourneyError : public std::runtime_error {
 };
 
 /// A place on a journey.
+template <class T>
 struct JourneyPlace {
-  double latitude_deg, longitude_deg, height_m;
-  double course_deg;  ///< compass course, 0 to 360
-  double speed_m_s;   ///< horizontal
-  double length_m;    ///< of the way since the release
+  T latitude_deg, longitude_deg, height_m;
+  T course_deg;  ///< compass course, 0 to 360
+  T speed_m_s;   ///< horizontal
+  T length_m;    ///< of the way since the release
 };
 
 /// A journey is made from this, beside its specification.
@@ -111,15 +112,31 @@ class Journey {
     for (std::size_t k = c.size(); k-- > 0;) sum = u * sum + c[k];
     return sum;
   }
+  /// The course less that at the start (rad), or its derivative of an order up to 2. A journey by a table has no such turn: a vehicle that
+  /// stands has no course.
+  T turned(const T& t, int order) const {
+    const Piece& p = piece(t);
+    const T u = t - p.start;
+    T sum = T(0);
+    const Polynomial& c = p.parts[static_cast<std::size_t>(JourneyPart::course)];
+    for (int k = static_cast<int>(c.size()) - 1; k >= order; --k)
+      sum = u * sum + T(order == 0 ? 1 : order == 1 ? k : k * (k - 1)) * c[static_cast<std::size_t>(k)][0];
+    return sum;
+  }
+  /// An upper bound of the size of the first derivative from 0 to `end`.
+  T largest_turning(const T& end) const;
   /// Puts the coefficients of the powers of (t' - t) into rows, one for each order starting at 0, just after t. A t that is earlier than a
   /// joint only by rounding counts as the joint.
   void expand(JourneyPart part, const T& t, std::span<std::array<T, 3>> rows) const;
   /// The times at which one polynomial follows another; steps end there.
   std::vector<T> joints() const;
+  /// The same journey with one part alone; the others are zero, and it `has` none of them.
+  Journey only(JourneyPart part) const;
+  bool has(JourneyPart part) const { return !data_->pieces.front().parts[static_cast<std::size_t>(part)].empty(); }
   /// The same with times in units of 2^time_exponent s: t, rates and accelerations are in the new unit. Exact, no digit changes.
   Journey in_time_units(int time_exponent) const;
   /// Where the laboratory is. Only where the unit of time is the second.
-  JourneyPlace place(const T& t) const;
+  JourneyPlace<T> place(const T& t) const;
   /// The attitude q_AL of the laboratory in A.
   /// @param rotating  of the rotating motion, else of the reference
   Quaternion<T> attitude(const T& t, bool rotating) const {

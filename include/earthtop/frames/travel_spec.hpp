@@ -46,6 +46,12 @@ struct TravelSpec {
   bool operator==(const TravelSpec&) const = default;
 };
 
+/// The acceleration that errors of one unit in the last printed digit of a table of places make in its spline (m/s^2, root mean square):
+/// 6 sigma/D^2 for independent errors sigma of rows that are D apart, here of the two that are nearest to each other. It is 0 without a
+/// table; a column that never changes has no errors. [The spline's second derivatives answer an error of frequency f with
+/// 6 (2 cos 2 pi f D - 2)/(2 cos 2 pi f D + 4)/D^2, of which the mean square is 36/D^4.]
+double noise_of_table_m_s2(const TravelSpec& spec);
+
 /// A laboratory is not carried farther North or South: East and North lose their meaning at the poles.
 inline constexpr double kLargestLatitudeDeg = 89.9;
 

@@ -18,7 +18,8 @@ namespace earthtop {
 template <class T>
 struct InstantOnPivot {
   const Model<T>& model;
-  Vec3<T> W_IL_L;  ///< the Earth's rate; 0 for the reference motion
+  Vec3<T> W_IL_L;     ///< rate of the laboratory in space; 0 for a reference motion that is at rest
+  Vec3<T> gravity_L;  ///< what takes the place of apparent gravity
   Quaternion<T> q_LB;
   Vec3<T> w_LB_B;
   T rotor_rate = T(0);                  ///< relative to the body
@@ -35,7 +36,7 @@ struct InstantOnPivot {
   Vec3<T> up_B() const { return rotation_matrix(q_LB).row(2).transpose(); }
   Vec3<T> w_IB_B() const { return w_LB_B + transposed_times(rotation_matrix(q_LB), W_IL_L); }
   /// m g l / I3 of a body whose centre of mass is on axis 1 (1/s^2).
-  T pull() const { return model.mass_moment_B[0] * norm(model.apparent_gravity_L) / model.I_BP_B(2, 2); }
+  T pull() const { return model.mass_moment_B[0] * norm(gravity_L) / model.I_BP_B(2, 2); }
 };
 
 /// One motion of a top on a table at one instant, in natural units and in the table's axes H.
@@ -59,9 +60,10 @@ struct InstantOnTable {
 
 /// What decides what a body on a pivot conserves.
 struct PivotConditions {
-  int symmetry_axis = -1;                   ///< of a rigid body
-  bool alone = false;                       ///< whether only gravity and the Earth's rotation act
-  bool beside_support = false;              ///< whether nothing else acts but an unequal support, which has an energy
+  int symmetry_axis = -1;       ///< of a rigid body
+  bool alone = false;           ///< whether only gravity and the Earth's rotation act, in a laboratory that turns evenly
+  bool aboard = false;          ///< whether only these act on a journey, on which gravity and the rate change
+  bool beside_support = false;  ///< whether nothing else acts but an unequal support, which has an energy
   const GimbalsSpec* gimbals = nullptr;     ///< null without a Cardan suspension
   bool outer_axis_without_gravity = false;  ///< of a suspension: whether gravity has no moment about its outer axis
   bool has_rotor = false;
@@ -73,7 +75,7 @@ struct PivotConditions {
     return (alone || beside_support) && !masses_move && (!has_rotor || rotor_is_steady) && !bearings_brake();
   }
   /// An unequal support has no torque along body axis 3.
-  bool conserves_spin() const { return alone ? symmetry_axis >= 0 : beside_support && symmetry_axis == 2; }
+  bool conserves_spin() const { return alone || aboard ? symmetry_axis >= 0 : beside_support && symmetry_axis == 2; }
   bool bearings_brake() const {
     const auto brakes = [](const BearingSpec& b) { return b.viscous_torque_N_m_s != 0 || b.coulomb_torque_N_m != 0; };
     return gimbals != nullptr && (brakes(gimbals->outer) || brakes(gimbals->inner));
@@ -135,7 +137,7 @@ ConservedValue<T> jacobi_of_suspension(const InstantOnPivot<T>& i) {
   const T h = s.momenta.rotor;
   const T turning = (m.w_A.dot(m.L_A) + m.w_B.dot(times(model.I_BP_B, m.w_B))) / T(2);
   const T spinning = model.rotor.driven ? T(0) : T(h * h / (T(2) * model.rotor.axial));
-  const Vec3<T> gravity_A = s.pose.into_ring(model.apparent_gravity_L);
+  const Vec3<T> gravity_A = s.pose.into_ring(i.gravity_L);
   const T of_gravity = model.gimbals.ring.mass_moment.dot(gravity_A) + model.mass_moment_B.dot(s.pose.into_body(gravity_A));
   const auto spring = [](const Bearing<T>& b, const T& angle) -> T {
     return b.torsion * (angle - b.rest) * (angle - b.rest) / T(2);
@@ -143,8 +145,7 @@ ConservedValue<T> jacobi_of_suspension(const InstantOnPivot<T>& i) {
   const T sprung = spring(model.gimbals.outer, i.gimbals.outer) + spring(model.gimbals.inner, i.gimbals.inner);
   const T of_earth = s.W_A.dot(m.L_A) + s.W_B.dot(m.L_B);
   return {turning + spinning - of_gravity + sprung - of_earth,
-          turning + spinning +
-              norm(model.apparent_gravity_L) * (norm(model.mass_moment_B) + norm(model.gimbals.ring.mass_moment)) + sprung +
+          turning + spinning + norm(i.gravity_L) * (norm(model.mass_moment_B) + norm(model.gimbals.ring.mass_moment)) + sprung +
               real::abs(of_earth)};
 }
 /// The inertial momentum of all parts about the outer axis.
@@ -158,8 +159,7 @@ ConservedValue<T> outer_momentum(const InstantOnPivot<T>& i) {
 template <class T>
 ConservedValue<T> jacobi(const InstantOnPivot<T>& i) {
   if (i.model.kind == SceneKind::suspension) return jacobi_of_suspension(i);
-  ConservedValue<T> J =
-      jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.model.apparent_gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
+  ConservedValue<T> J = jacobi_integral(i.model.I_BP_B, i.model.mass_moment_B, i.gravity_L, i.W_IL_L, i.q_LB, i.w_LB_B);
   if (const SupportStiffness<T>& K = i.model.applied.support; K.acts()) {
     const Mat3<T> R_LB = rotation_matrix(i.q_LB);
     J.value += support_energy(K, R_LB(0, 2), R_LB(1, 2)), J.scale += K.largest();

@@ -28,6 +28,8 @@ struct LedgerEntry {
   Vec3<T> force_table_A = Vec3<T>::Zero();  ///< of a top on a table: the force of the table on the tip
   /// Of a Cardan suspension: the torques of the support on the outer gimbal, and of that on the body (gimbal_ledger.hpp).
   Vec3<T> bearing_outer_A = Vec3<T>::Zero(), bearing_inner_A = Vec3<T>::Zero();
+  /// On a journey: the part of tau_cor_A that the rate of East, North and Up over the Earth makes. The torque is linear in the rate.
+  Vec3<T> tau_cor_transport_A = Vec3<T>::Zero();
 };
 
 /// The entry as a result stores it.

@@ -32,6 +32,7 @@ struct LedgerRow {
   std::array<T, 3> force_table_A = {};  ///< of a top on a table: the force of the table on the tip (N)
   /// Of a Cardan suspension: the torques of the support on the outer gimbal, and of that on the body.
   std::array<T, 3> bearing_outer_A = {}, bearing_inner_A = {};
+  std::array<T, 3> tau_cor_transport_A = {};  ///< on a journey: the part of tau_cor_A that the transport rate makes
 };
 
 /// A row from anything with the members of a row or of a LedgerEntry.
@@ -44,6 +45,7 @@ LedgerRow<T> ledger_row_from(const Entry& entry, Store stored) {
   row.tau_cor_inertia_A = stored(entry.tau_cor_inertia_A), row.tau_cor_gyroscopic_A = stored(entry.tau_cor_gyroscopic_A);
   row.force_table_A = stored(entry.force_table_A);
   row.bearing_outer_A = stored(entry.bearing_outer_A), row.bearing_inner_A = stored(entry.bearing_inner_A);
+  row.tau_cor_transport_A = stored(entry.tau_cor_transport_A);
   return row;
 }
 

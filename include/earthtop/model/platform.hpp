@@ -18,12 +18,13 @@ struct Platform {
   bool is_offset() const { return pivot_offset_P[0] != T(0) || pivot_offset_P[1] != T(0) || pivot_offset_P[2] != T(0); }
 };
 
-/// @throws std::invalid_argument for PlatformMotion::table with a missing or invalid table
+/// @param journey  of the laboratory, for PlatformMotion::course
+/// @throws std::invalid_argument for PlatformMotion::table with a missing or invalid table, and for PlatformMotion::course without a journey
 template <class T>
-Platform<T> make_platform(const PlatformSpec& spec);
-extern template Platform<double> make_platform(const PlatformSpec&);
-extern template Platform<float80> make_platform(const PlatformSpec&);
-extern template Platform<float128> make_platform(const PlatformSpec&);
+Platform<T> make_platform(const PlatformSpec& spec, const Journey<T>& journey = {});
+extern template Platform<double> make_platform(const PlatformSpec&, const Journey<double>&);
+extern template Platform<float80> make_platform(const PlatformSpec&, const Journey<float80>&);
+extern template Platform<float128> make_platform(const PlatformSpec&, const Journey<float128>&);
 
 /// The acceleration of the pivot relative to L's origin, without apparent gravity, in L axes (m/s^2), in two parts: what a
 /// non-rotating laboratory has, alpha x d + w x (w x d) with w, alpha of P in L; and what the Earth's rate W adds, 2 W x (w x

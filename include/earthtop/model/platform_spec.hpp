@@ -8,7 +8,8 @@
 
 namespace earthtop {
 
-enum class PlatformMotion { constant, ramp, harmonic, table };
+/// `course`: a vehicle that turns with the course of the laboratory's journey.
+enum class PlatformMotion { constant, ramp, harmonic, table, course };
 
 /// A platform as a scenario gives it. P is parallel to L when the angle is 0.
 struct PlatformSpec {

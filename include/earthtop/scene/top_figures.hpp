@@ -41,6 +41,7 @@ struct JourneyFigures {
   std::optional<double> false_north_start_rad, false_north_end_rad;
   /// The rate at which a level axis that is free turns in azimuth at the start, clockwise, and the part of it that the journey makes (rad/s).
   double wander_rad_s = 0, transport_wander_rad_s = 0;
+  std::optional<double> table_noise_m_s2;  ///< of a journey by a table: what its last digits are worth as an acceleration
   /// A pendulous compass has kappa = m l M W_N / h at the start, 1 with Schuler's tuning, and the undamped period.
   std::optional<double> schuler_kappa, schuler_period_s;
 };

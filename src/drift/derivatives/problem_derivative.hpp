@@ -19,12 +19,13 @@ template <class Derivative>
 auto derivatives_of_members(Derivative& derivative) {
   using std::ref;
   auto& [I_BP_B, I_BP_B_inverse, S_BP_B, mass_moment_B, apparent_gravity_L, W_IL_L_scaled, q_LB, w_XB_B, coriolis, centrifugal,
-         release, platform, applied, tide, table] =
-      derivative;  // three of them are of the release, and the last is no member of a model
+         release, platform, applied, tide, journey, table] =
+      derivative;  // three of them are of the release; the journey is added to a recording, and the table is no member of a model
   auto& [rate, acceleration, amplitude, frequency, phase, pivot_offset_P] = platform;
   const NoDerivative none;
   const auto weights = std::make_tuple(ref(coriolis), none, ref(centrifugal));
-  const auto turn = std::make_tuple(none, none, ref(rate), ref(acceleration), ref(amplitude), ref(frequency), ref(phase), none);
+  const auto turn =
+      std::make_tuple(none, none, ref(rate), ref(acceleration), ref(amplitude), ref(frequency), ref(phase), none, none);
   return std::make_tuple(ref(I_BP_B), ref(I_BP_B_inverse), ref(S_BP_B), ref(mass_moment_B), ref(apparent_gravity_L), none,
                          ref(W_IL_L_scaled), none, weights, std::make_tuple(turn, ref(pivot_offset_P)), ref(applied), ref(tide),
                          none, none, none, none, none);

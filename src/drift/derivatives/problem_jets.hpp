@@ -33,6 +33,7 @@ struct ToJet {
   }
   TideSeries<Jet> operator()(const TideSeries<double>&) const { return {}; }
   Journey<Jet> operator()(const Journey<double>&) const { return {}; }
+  std::shared_ptr<const Journey<Jet>> operator()(const std::shared_ptr<const Journey<double>>&) const { return nullptr; }
 };
 
 /// A vector or a matrix with its derivatives.   @param member  takes a ProblemDerivative to its derivative of that quantity

@@ -33,19 +33,28 @@ class ToParameter {
   std::shared_ptr<const PiecewisePath<Recorded>> operator()(const std::shared_ptr<const PiecewisePath<Jet>>&) const {
     return ToRecorded<double>()(beside_.model.applied.given.table);
   }
-  Journey<Recorded> operator()(const Journey<Jet>&) const { return ToRecorded<double>()(beside_.model.journey); }
+  Journey<Recorded> operator()(const Journey<Jet>&) const {
+    return with_inputs(Journey<Recorded>(beside_.model.journey), &ProblemDerivative::journey);
+  }
+  std::shared_ptr<const Journey<Recorded>> operator()(const std::shared_ptr<const Journey<Jet>>&) const {
+    return ToRecorded<double>()(beside_.model.platform.turn.journey);
+  }
   TideSeries<Recorded> operator()(const TideSeries<Jet>&) const {
-    TideSeries<Recorded> tide(beside_.model.tide);
-    for (std::size_t k = 0; k < beside_.inputs.size(); ++k) {
-      if (beside_.inputs[k].tide.empty()) continue;
-      Jet strength = 0.0;
-      strength.d[k] = 1;
-      tide.add((*this)(strength), beside_.inputs[k].tide);
-    }
-    return tide;
+    return with_inputs(TideSeries<Recorded>(beside_.model.tide), &ProblemDerivative::tide);
   }
 
  private:
+  /// Adds to functions of time what the inputs add to them.
+  template <class Sum, class Function>
+  Sum with_inputs(Sum sum, Function ProblemDerivative::*added) const {
+    for (std::size_t k = 0; k < beside_.inputs.size(); ++k) {
+      if ((beside_.inputs[k].*added).empty()) continue;
+      Jet strength = 0.0;
+      strength.d[k] = 1;
+      sum.add((*this)(strength), beside_.inputs[k].*added);
+    }
+    return sum;
+  }
   taylor::Recording<double>& recording_;
   std::vector<double>& derivatives_;
   const BesideJets& beside_;

@@ -62,73 +62,83 @@ class PiecewisePath<real::Recorded<T>> {
   std::shared_ptr<const PiecewisePath<T>> path_;
 };
 
-/// The tide: a sum of tides, each times a number or a parameter.
-template <class T>
-class TideSeries<real::Recorded<T>> {
+/// A sum of given functions of time, each times a number or a parameter.
+template <class T, class Function>
+class RecordedSum {
  public:
   using Scalar = real::Recorded<T>;
-  TideSeries() = default;
-  explicit TideSeries(TideSeries<T> tide) { add(Scalar(T(1)), std::move(tide)); }
-  void add(Scalar factor, TideSeries<T> tide) {
-    if (!tide.empty()) terms_.push_back({factor, std::move(tide)});
+  using Rows = std::span<std::array<T, 3>>;
+  void add(Scalar factor, Function function) {
+    if (!function.empty()) terms_.push_back({factor, std::move(function)});
   }
-
   bool empty() const { return terms_.empty(); }
-  Vec3<Scalar> acceleration_L(const Scalar& t) const {
+
+ protected:
+  struct Term {
+    Scalar factor;
+    Function function;
+  };
+  /// @param expand  puts the coefficients of one of the functions at a time into rows
+  template <class Expand>
+  Vec3<Scalar> sum(const Scalar& t, const Expand& expand) const {
     Vec3<Scalar> sum = Vec3<Scalar>::Zero();
     for (const Term& term : terms_) {
-      taylor::GivenFunction<T> function;
-      function.components = 3;
-      function.expand = [tide = term.tide](T at, std::span<std::array<T, 3>> rows) { tide.expand(at, rows); };
-      const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
+      taylor::GivenFunction<T> given;
+      given.components = 3;
+      given.expand = [function = term.function, expand](T at, Rows rows) { expand(function, at, rows); };
+      const std::array<int, 3> places = t.recording()->given(std::move(given), t.value());
       for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += term.factor * Scalar(*t.recording(), places[i]);
     }
     return sum;
   }
-
- private:
-  struct Term {
-    Scalar factor;
-    TideSeries<T> tide;
-  };
   std::vector<Term> terms_;
 };
 
-/// A journey: a sum of journeys of one kind, each times a number or a parameter. Steps have to end where pieces do.
 template <class T>
-class Journey<real::Recorded<T>> {
+class TideSeries<real::Recorded<T>> : public RecordedSum<T, TideSeries<T>> {
+ public:
+  using Scalar = real::Recorded<T>;
+  TideSeries() = default;
+  explicit TideSeries(TideSeries<T> tide) { this->add(Scalar(T(1)), std::move(tide)); }
+
+  Vec3<Scalar> acceleration_L(const Scalar& t) const {
+    return this->sum(t, [](const TideSeries<T>& tide, T at, auto rows) { tide.expand(at, rows); });
+  }
+};
+
+/// Journeys of one kind. Steps have to end where pieces do.
+template <class T>
+class Journey<real::Recorded<T>> : public RecordedSum<T, Journey<T>> {
  public:
   using Scalar = real::Recorded<T>;
   Journey() = default;
-  explicit Journey(Journey<T> journey) { add(Scalar(T(1)), std::move(journey)); }
-  void add(Scalar factor, Journey<T> journey) {
-    if (!journey.empty()) terms_.push_back({factor, std::move(journey)});
-  }
+  explicit Journey(Journey<T> journey) { this->add(Scalar(T(1)), std::move(journey)); }
 
-  bool empty() const { return terms_.empty(); }
-  bool has_still_reference() const { return !empty() && terms_[0].journey.has_still_reference(); }
-  bool is_felt_by_both() const { return terms_[0].journey.is_felt_by_both(); }
-  bool is_felt() const { return terms_[0].journey.is_felt(); }
+  bool has_still_reference() const { return !this->empty() && first().has_still_reference(); }
+  bool is_felt_by_both() const { return first().is_felt_by_both(); }
+  bool is_felt() const { return first().is_felt(); }
   Vec3<Scalar> at(JourneyPart part, const Scalar& t) const {
-    Vec3<Scalar> sum = Vec3<Scalar>::Zero();
-    for (const Term& term : terms_) {
-      taylor::GivenFunction<T> function;
-      function.components = 3;
-      function.expand = [journey = term.journey, part](T at, std::span<std::array<T, 3>> rows) {
-        journey.expand(part, at, rows);
-      };
-      const std::array<int, 3> places = t.recording()->given(std::move(function), t.value());
-      for (std::size_t i = 0; i < 3; ++i) sum[static_cast<int>(i)] += term.factor * Scalar(*t.recording(), places[i]);
-    }
-    return sum;
+    return this->sum(t, [part](const Journey<T>& journey, T at, auto rows) { journey.expand(part, at, rows); });
+  }
+  /// Of one journey alone: no derivative is taken of a platform's turn.
+  Scalar turned(const Scalar& t, int order) const {
+    taylor::GivenFunction<T> function;
+    function.components = 1;
+    function.expand = [journey = first(), order](T at, std::span<std::array<T, 3>> rows) {
+      const auto skipped = static_cast<std::size_t>(order);
+      std::vector<std::array<T, 3>> course(rows.size() + skipped);
+      journey.expand(JourneyPart::course, at, course);
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        T factor = T(1);
+        for (std::size_t j = 1; j <= skipped; ++j) factor *= T(static_cast<int>(k + j));
+        rows[k] = {factor * course[k + skipped][0], T(0), T(0)};
+      }
+    };
+    return {*t.recording(), t.recording()->given(std::move(function), t.value())[0]};
   }
 
  private:
-  struct Term {
-    Scalar factor;
-    Journey<T> journey;
-  };
-  std::vector<Term> terms_;
+  const Journey<T>& first() const { return this->terms_[0].function; }
 };
 
 }  // namespace earthtop
@@ -152,6 +162,9 @@ struct ToRecorded {
   }
   TideSeries<R> operator()(const TideSeries<T>& tide) const { return TideSeries<R>(tide); }
   Journey<R> operator()(const Journey<T>& journey) const { return Journey<R>(journey); }
+  std::shared_ptr<const Journey<R>> operator()(const std::shared_ptr<const Journey<T>>& journey) const {
+    return journey ? std::make_shared<const Journey<R>>(*journey) : nullptr;
+  }
 };
 
 /// A struct of coefficients, over the scalar that records operations.

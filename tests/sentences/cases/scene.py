@@ -370,6 +370,7 @@ BUDGET = [
             set={"/effects/quadratic_torque_N_m_s2": 0.03, "/release/tilt_deg": 30, "/motion/duration_s": 10}),
     explain("Inputs: the Earth does not turn, so that there is no effect to see", set={"/earth/rotation_rate_rad_s": 0},
             unless={"/earth/rotation_rate_rad_s": 1e-9}),
+    explain("drift: the effect's share of the difference between the two predictions; both columns at their largest, to first order"),
     explain("an effect of the Earth's rotation: on unless switched off", unless={"/effects/coriolis": False}),
     explain("of second order in the Earth's rate; the first-order part is in apparent gravity", unless={"/effects/centrifugal": False}),
     explain("the two predictions start with the same inertial rates, so that their rates in the laboratory differ by the Earth's",

@@ -141,6 +141,8 @@ class Result(Pickled):
     height_m: np.ndarray
     course_deg: np.ndarray
     speed_m_s: np.ndarray
+    w_IL_L_rad_s: np.ndarray
+    G_L_m_s2: np.ndarray
 
     def __init__(self, files: _Files, quantities: Sequence[Quantity], torques: Sequence[Quantity], *,
                  run: Optional["_core.RunResult"] = None, scenario: Optional[Scenario] = None) -> None:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "budget/gyrostat_budget.hpp"
+#include "budget/torque_budget.hpp"
 
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 #include "earthtop/drift/drift_integration.hpp"
 #include "earthtop/model/gimbal_ledger.hpp"
 #include "earthtop/model/gyrostat.hpp"
+#include "earthtop/model/laboratory_now.hpp"
 #include "earthtop/scenario/support.hpp"
 
 namespace earthtop {
@@ -26,7 +27,7 @@ struct Size {
   }
 };
 struct Sizes {
-  Size coriolis, inside, centrifugal, bearing;
+  Size coriolis, inside, transport, transverse, centrifugal, bearing;
 };
 
 Sizes sizes_of(const Scene& scene, const DriftTrajectory<double>& drift) {
@@ -37,8 +38,13 @@ Sizes sizes_of(const Scene& scene, const DriftTrajectory<double>& drift) {
   Sizes sizes;
   for (const DriftSample<double>& sample : drift.samples) {
     const bool is_release = &sample == &drift.samples.front();
-    const Vec3<double> W_B = transposed_times(rotation_matrix(sample.state.q_LB), model.W_IL_L);
     const double rate = sample.rotor ? sample.rotor->rate : 0, t_s = sample.state.t_s;
+    const LaboratoryNow<double> now(model, t_s);
+    const auto in_body = [&](const Vec3<double>& u_L) -> Vec3<double> {
+      return transposed_times(rotation_matrix(sample.state.q_LB), u_L);
+    };
+    const Vec3<double> w_IL_B = in_body(now.w_IL_L);
+    sizes.bearing.include(std::abs(bearing_torque(rotor, rate)), is_release);
     if (sample.gimbals) {
       const GimbalState<double>& g = *sample.gimbals;
       const LedgerEntry<double> seen =
@@ -46,18 +52,21 @@ Sizes sizes_of(const Scene& scene, const DriftTrajectory<double>& drift) {
                                   GimbalAngles<double>{g.outer.rot, g.inner.rot, g.outer_rate.rot, g.inner_rate.rot}, rate);
       sizes.coriolis.include(norm(seen.tau_cor_A), is_release);
       sizes.inside.include(norm(seen.tau_cor_gyroscopic_A), is_release);
+      sizes.transport.include(norm(seen.tau_cor_transport_A), is_release);
+      sizes.transverse.include(norm(seen.tau_trans_A), is_release);
       sizes.centrifugal.include(norm(seen.tau_cent_A), is_release);
-      sizes.bearing.include(std::abs(bearing_torque(rotor, rate)), is_release);
       continue;
     }
     const Mat3<double>& S_BP_B = in_time.at(t_s).S_BP_B;
     Mat3<double> inside = spin_velocity_moment(rotor, rate);
     if (const MassSums<double>* masses = in_time.masses_at(t_s)) inside += masses->velocity_moment;
     const Mat3<double> of_body = velocity_moment(S_BP_B, sample.state.w_LB_B);
-    sizes.coriolis.include(norm(coriolis_torque(W_B, Mat3<double>(of_body + inside))), is_release);
-    sizes.inside.include(norm(coriolis_torque(W_B, inside)), is_release);
-    sizes.centrifugal.include(norm(centrifugal_torque(W_B, S_BP_B)), is_release);
-    sizes.bearing.include(std::abs(bearing_torque(rotor, rate)), is_release);
+    const Mat3<double> of_both = of_body + inside;
+    sizes.coriolis.include(norm(coriolis_torque(w_IL_B, of_both)), is_release);
+    sizes.inside.include(norm(coriolis_torque(w_IL_B, inside)), is_release);
+    sizes.transport.include(norm(coriolis_torque(in_body(now.w_EL_L), of_both)), is_release);
+    sizes.transverse.include(norm(transverse_torque(in_body(now.alpha_IL_L), S_BP_B)), is_release);
+    sizes.centrifugal.include(norm(centrifugal_torque(w_IL_B, S_BP_B)), is_release);
   }
   return sizes;
 }
@@ -66,26 +75,45 @@ void give(const Size& size, EffectEntry& entry) {
   entry.torque_release_N_m = size.at_release, entry.torque_largest_N_m = size.largest;
 }
 
+/// Whether an effect makes the two motions differ: what the Earth's rotation does, or what the journey does if the reference stays.
+bool is_in_difference(const Effect& effect, const std::optional<TravelSpec>& travel) {
+  if (!travel || travel->reference == TravelReference::same_path)
+    return effect.name == kCoriolis || effect.name == kCentrifugal ||
+           (effect.name == kEotvos && travel->eotvos == TravelEotvos::rotating);
+  return effect.name == kEotvos || effect.name == kBallistic || effect.name == kTransport;
+}
+
 EffectEntry entry_of(const Effect& effect, const Sizes& sizes, const Scene& scene) {
   EffectEntry entry = unsized_entry(effect, scene);
   const auto& rotor = scene.scenario().rotor;
+  const auto& travel = scene.scenario().travel;
   const bool is_driven = !rotor || rotor->drive != RotorDrive::none;
+  const bool has_parts = scene.support().has_moving_parts();
+  entry.in_difference = entry.in_difference || is_in_difference(effect, travel);
   if (effect.name == kCoriolis) {
     give(sizes.coriolis, entry);
-    entry.in_difference = true;
-    entry.reason = fmt::format("an effect of the Earth's rotation; on {} alone it is {:.2e} N m at most",
-                               scene.support().has_gimbals     ? "the momentum that the laboratory sees"
-                               : masses_move(scene.scenario()) ? "what moves in the body"
-                                                               : "the rotor's turn in the body",
-                               sizes.inside.largest);
+    entry.reason = travel ? "of the rate at which the laboratory turns in space" : "an effect of the Earth's rotation";
+    if (has_parts)
+      entry.reason += fmt::format("; on {} alone it is {:.2e} N m at most",
+                                  scene.support().has_gimbals     ? "the momentum that the laboratory sees"
+                                  : masses_move(scene.scenario()) ? "what moves in the body"
+                                                                  : "the rotor's turn in the body",
+                                  sizes.inside.largest);
   } else if (effect.name == kCentrifugal) {
     give(sizes.centrifugal, entry);
-    entry.in_difference = true;
-    entry.reason = "of second order in the Earth's rate; the first-order part is in apparent gravity";
+    entry.reason = travel ? "of second order in that rate; the first-order part of the Earth's is in apparent gravity"
+                          : "of second order in the Earth's rate; the first-order part is in apparent gravity";
+  } else if (effect.name == kTransverse && travel) {
+    give(sizes.transverse, entry);
+    entry.reason = "the rate at which the laboratory turns in space changes as it travels";
+  } else if (effect.name == kTransport) {
+    give(sizes.transport, entry);
+    entry.reason += ": its share of the Coriolis torque";
   } else if (effect.name == kRotorBearing && !is_driven) {
     give(sizes.bearing, entry);
   } else if (entry.reason.empty()) {
-    entry.reason = fmt::format("{}; sized only for a rigid body", entry.modelled ? "as given" : "left out");
+    entry.reason = fmt::format("{}; sized only {}", entry.modelled ? "as given" : "left out",
+                               has_parts ? "for a rigid body" : "against the same journey on an Earth that stands still");
   }
   return entry;
 }
@@ -98,11 +126,9 @@ double followed_s(const Scene& scene) {
 
 }  // namespace
 
-double gyrostat_budget_seconds(const Scene& scene) {
-  return std::min(kAffordableDrift_s, drift_scene(scene).costs()[0].seconds);
-}
+double torque_budget_seconds(const Scene& scene) { return std::min(kAffordableDrift_s, drift_scene(scene).costs()[0].seconds); }
 
-Budget gyrostat_budget(const Scene& scene, const Watch& watch) {
+Budget torque_budget(const Scene& scene, const Watch& watch) {
   constexpr int kTimes = 4000;  // at which torques are looked at
   const Scene followed = drift_scene(scene);
   DriftProblem<double> problem = followed.problem_without_rows<double>();
@@ -119,13 +145,14 @@ Budget gyrostat_budget(const Scene& scene, const Watch& watch) {
   for (const Effect& effect : all_effects())
     if (effect.is_in_budget(scene)) budget.effects.push_back(entry_of(effect, sizes, scene));
   budget.inputs_unavailable =
-      scene.support().has_gimbals
+      !scene.support().has_moving_parts() ? "how well they must be known is found by runs: give /report/sensitivities true"
+      : scene.support().has_gimbals
           ? "how well they must be known is not computed for a body in gimbals; run the scenario with each of them changed"
       : masses_move(scene.scenario())
           ? "how well they must be known is not computed with masses that move in the body; run the scenario with each of "
             "them changed"
           : "how well they must be known is not computed with a rotor in the body; run the scenario with each of them changed";
-  budget.warnings.emplace_back(scene.support().no_effect_sizes);
+  if (!scene.support().no_effect_sizes.empty()) budget.warnings.emplace_back(scene.support().no_effect_sizes);
   return budget;
 }
 
