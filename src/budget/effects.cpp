@@ -241,25 +241,25 @@ std::optional<Candidate> given_torque(const Scene& scene) {
 }
 
 bool travels(const Scene& scene) { return scene.scenario().travel.has_value(); }
+bool is_left_ashore(const Effect& effect, const Scene& scene) { return travels(scene) && !effect.aboard.empty(); }
 bool is_felt(const Scene& scene) { return travels(scene) && scene.scenario().travel->eotvos != TravelEotvos::off; }
 
-/// What a travelling laboratory feels beside gravity, in its own axes (m/s^2), and how it turns over the Earth (rad/s).
+/// What a travelling laboratory feels beside gravity, in its own axes (m/s^2).
 struct Aboard {
-  Vec3<double> coriolis_L, inertial_L, w_EL_L;
+  Vec3<double> coriolis_L, inertial_L;
 
   Aboard(const Model<double>& model, double t) {
     const LaboratoryNow<double> now(model, t);
     std::array<std::array<double, 3>, 2> rows{};  // the velocity and its derivative, as L sees it
     model.journey.expand(JourneyPart::velocity_in_L, t, rows);
     const Vec3<double> v(rows[0][0], rows[0][1], rows[0][2]), slope(rows[1][0], rows[1][1], rows[1][2]);
-    w_EL_L = now.w_EL_L;
-    coriolis_L = -2 * Vec3<double>(now.w_IL_L - w_EL_L).cross(v);
-    inertial_L = -(slope + w_EL_L.cross(v));
+    coriolis_L = 2 * v.cross(Vec3<double>(now.w_IL_L - now.w_EL_L));
+    inertial_L = v.cross(now.w_EL_L) - slope;
   }
 };
 
-/// The size of a torque at the release, and the largest that it may have in any attitude.
-/// @param size  of the torque, from what is aboard
+/// The size of a torque at the release and the largest, each in the attitude in which it is largest.
+/// @param size  of the torque, from what is felt aboard
 template <class Size>
 std::array<double, 2> torque_on_journey(const Scene& scene, const Size& size) {
   const Model<double>& model = scene.model<double>();
@@ -345,7 +345,8 @@ const Effect kEffects[] = {
      .is_modelled = [](const Scene& s) { return effects(s).transverse; },
      .is_zero = true,
      .modelled_unsized = "zero: the Earth turns uniformly",
-     .left_out_unsized = "zero: the Earth turns uniformly"},
+     .left_out_unsized = "zero: the Earth turns uniformly",
+     .aboard = "in the axes East, North, Up that are carried along it is not zero; the motion is followed in axes without it"},
     {"release_matching", "/release/rates_relative_to",
      [](const Scene& s) { return s.scenario().release.rates_relative_to == RatesRelativeTo::inertial; },
      Listing::budget_where_modelled, sized<release_matching>},
@@ -389,7 +390,8 @@ const Effect kEffects[] = {
      .size = sized<tide>,
      .switch_on = [](Scenario& s) { s.effects.tide = TideSpec{}; },
      .needs_date = true,
-     .share = "tide"},
+     .share = "tide",
+     .aboard = "left out; it belongs to one place, and is not carried along"},
     {.name = "polar_motion",
      .key = "/effects/polar_motion",
      .is_modelled = has_pole,
@@ -472,7 +474,7 @@ std::span<const Effect> all_effects() { return kEffects; }
 std::vector<Candidate> effect_candidates(const Scene& scene) {
   std::vector<Candidate> candidates;
   for (const Effect& effect : kEffects) {
-    if (!effect.size || !effect.is_in_budget(scene)) continue;
+    if (!effect.size || !effect.is_in_budget(scene) || is_left_ashore(effect, scene)) continue;
     if (std::optional<Candidate> candidate = effect.size(scene)) {
       candidate->effect = &effect;
       candidates.push_back(*std::move(candidate));
@@ -501,9 +503,8 @@ EffectEntry unsized_entry(const Effect& effect, const Scene& scene) {
     const std::array<double, 2> torque = effect.torque(scene);
     entry.torque_release_N_m = torque[0], entry.torque_largest_N_m = torque[1];
   }
-  if (effect.is_zero && travels(scene))
-    entry.reason =
-        "in the axes East, North, Up that are carried along it is not zero; the motion is followed in axes without it";
+  if (is_left_ashore(effect, scene))
+    entry.reason = effect.aboard;
   else if (effect.is_zero)
     entry.torque_release_N_m = entry.torque_largest_N_m = entry.drift_rad = entry.drift_final_rad = 0;
   return entry;

@@ -57,6 +57,8 @@ struct Effect {
   std::string_view share = "";  ///< member of kAppliedShares in which the ledger counts it; empty for none
   /// Reasons for an entry without a size.
   std::string_view modelled_unsized = "", left_out_unsized = "";
+  /// The reason for an entry without a size on a journey; empty for an effect that is carried along.
+  std::string_view aboard = "";
   /// The size of its torque (N m) at the release and the largest, of an effect whose drift is not found; null: not known.
   std::array<double, 2> (*torque)(const Scene&) = nullptr;
 

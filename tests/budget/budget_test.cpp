@@ -288,6 +288,9 @@ TEST(Budget, OfAJourneySizesItsPartsApart) {
   EXPECT_FALSE(ballistic.in_difference);
   EXPECT_NEAR(*ballistic.displacement_rad, of_speeding, 0.02 * of_speeding);  // of rows, and of the second order
 
+  const EffectEntry& tide = entry_of(budget, "tide");
+  EXPECT_FALSE(tide.torque_largest_N_m || tide.displacement_rad || tide.drift_rad) << "a tide is not carried along";
+
   EXPECT_FALSE(transport.displacement_rad || transport.drift_rad);
   double largest = 0;
   for (const auto& entry : rotating.ledger->entries) largest = std::max(largest, norm(axis(entry.tau_cor_transport_A)));

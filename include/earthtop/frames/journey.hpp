@@ -130,9 +130,8 @@ class Journey {
   void expand(JourneyPart part, const T& t, std::span<std::array<T, 3>> rows) const;
   /// The times at which one polynomial follows another; steps end there.
   std::vector<T> joints() const;
-  /// The same journey with one part alone; the others are zero, and it `has` none of them.
+  /// The same journey with one part alone; the others are zero.
   Journey only(JourneyPart part) const;
-  bool has(JourneyPart part) const { return !data_->pieces.front().parts[static_cast<std::size_t>(part)].empty(); }
   /// The same with times in units of 2^time_exponent s: t, rates and accelerations are in the new unit. Exact, no digit changes.
   Journey in_time_units(int time_exponent) const;
   /// Where the laboratory is. Only where the unit of time is the second.

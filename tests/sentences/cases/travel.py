@@ -112,6 +112,8 @@ CASES = [
     Case("explain s.json", ["the laboratory's acceleration over the Earth; it acts in both predictions",
                             "East, North and Up turn with the place; it acts in both predictions"], set=SAILS, holds=sized_apart,
          unless={"/travel": None}),
+    Case("explain s.json", ["tide left out ? ? ? ? left out; it belongs to one place, and is not carried along",
+                            "carried along it is not zero; the motion is followed in axes without it"], set=SAILS, unless={"/travel": None}),
     Case("explain s.json", "by which the plumb line aboard leans; the rotating motion alone feels it", set=SAILS,
          unless={"/travel/eotvos": "both"}),
     Case("explain s.json", "by which the plumb line aboard leans; both motions feel it", set={**SAILS, "/travel/eotvos": "both"},
