@@ -10,15 +10,18 @@
 
 namespace earthtop {
 
+std::array<double, 3> metres_a_unit(const TravelSpec& spec) {
+  const double radius = spec.figure == TravelFigure::sphere ? spec.radius_m : kEquatorialRadiusWgs84;
+  const double metres_a_degree = radius * std::numbers::pi / 180;
+  return {metres_a_degree, metres_a_degree * real::cos(spec.table[0].rows->value.front() * std::numbers::pi / 180), 1};
+}
+
 double noise_of_table_m_s2(const TravelSpec& spec) {
   if (!spec.table[0].rows) return 0;
   const std::vector<double>& t = spec.table[0].rows->t_s;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < t.size(); ++i) nearest = std::min(nearest, t[i] - t[i - 1]);
-  const double radius = spec.figure == TravelFigure::sphere ? spec.radius_m : kEquatorialRadiusWgs84;
-  const double metres_a_degree = radius * std::numbers::pi / 180;
-  const double parallel = real::cos(spec.table[0].rows->value.front() * std::numbers::pi / 180);
-  const std::array<double, 3> metres = {metres_a_degree, metres_a_degree * parallel, 1};
+  const std::array<double, 3> metres = metres_a_unit(spec);
   std::array<double, 3> sigma_m{};
   for (std::size_t i = 0; i < metres.size(); ++i) {
     const AngleTable& column = *spec.table[i].rows;

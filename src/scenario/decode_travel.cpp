@@ -90,8 +90,28 @@ void warn_of_legs(const Section& travel, const TravelSpec& spec) {
   }
 }
 
-/// Warns of a table whose digits are too few for the accelerations that its spline makes of them.
-void warn_of_noise(const Section& travel, const TravelSpec& spec) {
+/// The largest acceleration of the spline through a table's places, without what the Earth's curvature makes (m/s^2). Each component is
+/// linear between rows, so that it is largest at one of them.
+double largest_acceleration(const TravelSpec& spec) {
+  const std::array<double, 3> metres = metres_a_unit(spec);
+  const std::array splines{AngleSpline<double>(*spec.table[0].rows), AngleSpline<double>(*spec.table[1].rows),
+                           AngleSpline<double>(*spec.table[2].rows)};
+  double largest = 0;
+  for (const double t : spec.table[0].rows->t_s)
+    largest = std::max(largest, real::hypot(metres[0] * splines[0].angle_acceleration(t),
+                                            metres[1] * splines[1].angle_acceleration(t), splines[2].angle_acceleration(t)));
+  return largest;
+}
+
+/// Warns of a table that accelerates as no vehicle does, and of one whose digits are too few for the accelerations that its spline makes
+/// of them.
+void warn_of_table(const Section& travel, const TravelSpec& spec) {
+  if (spec.path != TravelPath::table) return;
+  if (const double acceleration = largest_acceleration(spec); acceleration > kStandardGravity)
+    travel.warn("file",
+                fmt::format("between its places the laboratory accelerates at up to {} m/s^2, more than a free fall; are the "
+                            "times in seconds, and the places in degrees and metres?",
+                            told_apart(acceleration, kStandardGravity, 3).first));
   constexpr double kNoisy = 1e-3;  // m/s^2
   const double noise = noise_of_table_m_s2(spec);
   if (!(noise > kNoisy)) return;
@@ -174,7 +194,7 @@ std::optional<TravelSpec> decode_travel(const Section& root, const ScenarioSourc
   }
   if (!good) return std::nullopt;
   warn_of_legs(travel, spec);
-  warn_of_noise(travel, spec);
+  warn_of_table(travel, spec);
   if (spec.reference == TravelReference::at_rest && !leads_away(spec))
     travel.warn(
         "reference",

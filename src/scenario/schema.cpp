@@ -77,7 +77,13 @@ Json travel_rules() {
   return rules;
 }
 
-Json platform_rules() { return rules_of_words("motion", kMotionRules, kMotionKeys); }
+/// Returns the rules of a platform; one that turns with a course has an upright axis.
+Json platform_rules() {
+  Json rules = rules_of_words("motion", kMotionRules, kMotionKeys);
+  const Json upright = Json::array({{{"const", 0}}, {{"const", 0}}, {{"exclusiveMinimum", 0}}});
+  rules.push_back(when("motion", "course", {{"properties", {{"axis", {{"items", upright}}}}}}));
+  return rules;
+}
 
 Json rotor_rules() {
   Json rules = rules_of_words("drive", kDriveRules, kDriveKeys, kDriveRules.front().word);
@@ -118,6 +124,12 @@ Json site_rule() {
   nothing_to_know["not"] = required("travel");
   const Json in_table = has("travel", has("path", {{"const", "table"}}));
   return {{"anyOf", Json::array({has("site", required("latitude_deg")), nothing_to_know, in_table})}};
+}
+
+/// Returns the rule that a vehicle turns with the course of a journey that has one.
+Json vehicle_rule() {
+  return {{"if", has("platform", has("motion", {{"const", "course"}}))},
+          {"then", has("travel", {{"not", has("path", {{"const", "table"}})}})}};
 }
 
 /// Returns the rule that the release has one rate; with a rotor or moving masses in the body it may have none.
@@ -226,7 +238,7 @@ Json criterion_rules() {
 
 /// Returns an object's rules that involve several of its keys; an empty array if there are none.
 Json rules_of(std::string_view pattern) {
-  if (pattern.empty()) return Json::array({site_rule(), rate_rule(), gimbals_rule()});
+  if (pattern.empty()) return Json::array({site_rule(), vehicle_rule(), rate_rule(), gimbals_rule()});
   if (pattern == "/headline") return Json::array({{{"if", has("quantity", {{"pattern", "\\."}})}, {"then", none_of("at_s")}}});
   if (pattern == "/criteria/*") return criterion_rules();
   if (pattern == "/body") return Json::array({body_rule()});

@@ -145,6 +145,7 @@ WHOLE = [
     scene(travel={**SAILING, "reference": "same_path", "eotvos": "both", "figure": "wgs84",
                   "legs": [{"duration_s": 1}, {"duration_s": 5, "speed_m_s": 11, "turn_deg": 3, "climb_m": -1},
                            {"duration_s": 5, "speed_kn": 20}]}),
+    scene(travel=SAILING, platform={"motion": "course", "axis": [0, 0, 2], "pivot_offset_m": [3, 0, 1]}),
     scene(travel=SAILING, uncertainty={"travel_speed_m_s": 0.1, "travel_course_deg": 0.5}),
     scene(travel={"path": "geodesic", "course_deg": -90, "speed_kn": 20, "reference": "at_rest", "eotvos": "off",
                   "figure": "sphere", "radius_m": 6.4e6}),

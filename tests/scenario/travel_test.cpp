@@ -377,6 +377,23 @@ TEST_F(Voyage, ATableOfTooFewDigitsIsWarnedOf) {
   EXPECT_EQ(warned("0,45,10,0\n78,45,10,1\n156,45,10,0\n234,45,10,0\n"), "");
 }
 
+/// In the middle of a long table the spline through 0, 0, h, 0, 0 has the second derivative -6 (sqrt(3) - 1) h/D^2: the mean of its
+/// response to all frequencies.
+TEST_F(Voyage, OneThatNoVehicleFollowsIsWarnedOf) {
+  const auto warned = [&](double height_m) {
+    std::string rows, all;
+    for (int i = 0; i <= 60; ++i) rows += fmt::format("{},45,10,{:.6f}\n", i, i == 30 ? height_m : 0);
+    for (const Diagnostic& warning : examine_scenario(source(rows), {{"/travel", kByTable}, {"/site", "{}"}}).warnings)
+      all += warning.pointer + ": " + warning.message + '\n';
+    return all;
+  };
+  EXPECT_NE(
+      warned(2.24).find("/travel/file: between its places the laboratory accelerates at up to 9.84 m/s^2, more than a free"),
+      std::string::npos)
+      << warned(2.24);
+  EXPECT_EQ(warned(2.23), "");
+}
+
 TEST_F(Voyage, HasNoCourseForAVehicleToTurnWith) {
   testing::expect_refused(source(kRows), {{{"/travel", kByTable}, {"/site", "{}"}, {"/platform", R"({"motion": "course"})"}},
                                           "/platform/motion",

@@ -46,6 +46,10 @@ struct TravelSpec {
   bool operator==(const TravelSpec&) const = default;
 };
 
+/// What one unit of each column of a table of places is along East or North or Up, at the first row (m): of a degree of latitude, of a
+/// degree of longitude, and of a metre.
+std::array<double, 3> metres_a_unit(const TravelSpec& spec);
+
 /// The acceleration that errors of one unit in the last printed digit of a table of places make in its spline (m/s^2, root mean square):
 /// 6 sigma/D^2 for independent errors sigma of rows that are D apart, here of the two that are nearest to each other. It is 0 without a
 /// table; a column that never changes has no errors. [The spline's second derivatives answer an error of frequency f with
