@@ -69,7 +69,7 @@ void tell_precessing(Told& told) {
   const SlowTop top = slow_top(told, told.I1, told.scene.model<double>().applied);
   const std::optional<SlowPrecession> slow = slow_precession(top, told.reached_s());
   if (!slow || !spin_agrees(told, release.w_XB_B[2], slow->last_spin_rad_s)) return;
-  // What alternates leaves no change that lasts.
+  // An alternating torque leaves no change that lasts.
   const bool lasts = !top.applied.given.acts || !top.applied.given.oscillates;
   const std::string and_so =
       !lasts ? "."

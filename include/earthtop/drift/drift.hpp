@@ -67,10 +67,10 @@ struct BasicGimbalRow {
 template <class T>
 struct BasicJourneyRow {
   T latitude_deg = T(0), longitude_deg = T(0), height_m = T(0);
-  T course_deg = T(0);  ///< compass course, 0 to 360
-  T speed_m_s = T(0);   ///< horizontal
-  std::array<T, 3> w_IL_L_rad_s = {},
-                   G_L_m_s2 = {};  ///< rate of the laboratory in space; what takes the place of apparent gravity
+  T course_deg = T(0);                 ///< compass course, 0 to 360
+  T speed_m_s = T(0);                  ///< horizontal
+  std::array<T, 3> w_IL_L_rad_s = {};  ///< rate of the laboratory in space
+  std::array<T, 3> G_L_m_s2 = {};      ///< it takes the place of apparent gravity at the pivot
 };
 
 /// Both motions and the drift at one output time. `ref` marks the non-rotating prediction; attitude, rate and axis without it

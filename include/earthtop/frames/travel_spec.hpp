@@ -46,8 +46,8 @@ struct TravelSpec {
   bool operator==(const TravelSpec&) const = default;
 };
 
-/// What one unit of each column of a table of places is along East or North or Up, at the first row (m): of a degree of latitude, of a
-/// degree of longitude, and of a metre.
+/// The lengths (m) of one unit of each column of a table of places, at its first row: of a degree of latitude, of a degree of longitude, and
+/// of a metre.
 std::array<double, 3> metres_a_unit(const TravelSpec& spec);
 
 /// The acceleration that errors of one unit in the last printed digit of a table of places make in its spline (m/s^2, root mean square):

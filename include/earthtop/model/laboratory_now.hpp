@@ -37,8 +37,8 @@ struct LaboratoryNow {
   }
 };
 
-/// How the laboratory of one of the two motions turns in space, and what takes the place of apparent gravity in it. On a platform the field
-/// is that at L's origin.
+/// How the laboratory of one of the two motions turns in space, and what takes the place of apparent gravity in it, for a pivot that no
+/// platform carries.
 template <class T>
 struct LaboratoryOf {
   Vec3<T> w_IL_L, gravity_L;

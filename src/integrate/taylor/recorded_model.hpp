@@ -120,7 +120,7 @@ class Journey<real::Recorded<T>> : public RecordedSum<T, Journey<T>> {
   Vec3<Scalar> at(JourneyPart part, const Scalar& t) const {
     return this->sum(t, [part](const Journey<T>& journey, T at, auto rows) { journey.expand(part, at, rows); });
   }
-  /// Of one journey alone: no derivative is taken of a platform's turn.
+  /// The turn of one journey alone, since no derivative is taken of a platform's turn.
   Scalar turned(const Scalar& t, int order) const {
     taylor::GivenFunction<T> function;
     function.components = 1;
